@@ -221,7 +221,7 @@ class MendingSide(QObject):
             window.commit(after, said(words), problem.mend.file)
         if problem.mend.file == window.current_file:
             window.select(problem.place)
-        window.say(said(words))
+        window.say(self.tr("Mended: {0}").format(said(words)))
 
     def _begin(self, problem: Problem) -> None:
         """Adds the file that takes a problem away, as one step."""

@@ -404,3 +404,19 @@ def test_a_text_is_heard_and_silenced(qt: QApplication, tmp_path: Path) -> None:
     assert failed.wait(20_000)
     assert "no such voice" in failed.at(0)[0]
     listening.deleteLater()
+
+
+def test_places_are_cut_only_where_texts_need_the_room(used: Any) -> None:
+    view = table(used)
+    narrow = [view.columnWidth(column) for column in range(WRITTEN)]
+    used.window.resize(2560, 1200)
+    used.settle()
+    measure = view.fontMetrics().horizontalAdvance
+    for column in range(WRITTEN):
+        rows = range(view.model().rowCount())
+        words = max((str(view.model().index(r, column).data()) for r in rows), key=measure)
+        assert narrow[column] < measure(words) + 20 < view.columnWidth(column)
+    assert view.columnWidth(WRITTEN) > 2 * view.columnWidth(0)
+    used.window.resize(1280, 800)
+    used.settle()
+    assert [view.columnWidth(column) for column in range(WRITTEN)] == narrow

@@ -5,7 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, Qt, QTimer, Signal
-from PySide6.QtGui import QInputMethodEvent, QKeyEvent, QKeySequence, QMouseEvent, QResizeEvent
+from PySide6.QtGui import (
+    QFontMetrics,
+    QInputMethodEvent,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableView, QWidget
 
 from situ_studio.letters import px
@@ -13,7 +20,7 @@ from situ_studio.matrix import clipboard
 from situ_studio.texts.cells import ONE_LINE, TextDelegate
 from situ_studio.texts.model import ROW, STATE, WRITTEN, TextsModel
 from situ_studio.texts.sheet import Typed
-from situ_studio.theme import Theme
+from situ_studio.theme import Theme, font
 
 _KEYS = {
     QKeySequence.StandardKey.Copy: "copy",
@@ -23,6 +30,8 @@ _KEYS = {
     QKeySequence.StandardKey.Delete: "clear_cells",
 }
 _WIDTHS = (176, 168)
+BESIDE, ROOMY = 44, 320
+"""Px beside the words of a place, and of a text before places get more room."""
 
 
 class TextsTable(QTableView):
@@ -69,6 +78,7 @@ class TextsTable(QTableView):
         self.texts.modelReset.connect(self._on_reset)
         self.texts.dataChanged.connect(self._on_rows)
         self._columns = 0
+        self._wanted = list(_WIDTHS)
 
     def set_theme(self, theme: Theme) -> None:
         self.cells.theme = theme
@@ -79,16 +89,31 @@ class TextsTable(QTableView):
     def _on_reset(self) -> None:
         if self.texts.columnCount() != self._columns:
             self._columns = self.texts.columnCount()
+            self._measure()
             self._share_width()
         self._settle_soon()
 
+    def _measure(self) -> None:
+        """How wide the places are, and what their texts are."""
+        measure = QFontMetrics(font(13)).horizontalAdvance
+        rows = range(self.texts.rowCount())
+        self._wanted = []
+        for column in range(WRITTEN):
+            words = {str(self.texts.index(row, column).data()) for row in rows}
+            self._wanted.append(max(map(measure, words), default=0) + px(BESIDE))
+
     def _share_width(self) -> None:
-        """Texts share what room the places leave."""
+        """Texts share what room the places leave, which are cut only where texts need it."""
         header = self.horizontalHeader()
-        for column, width in enumerate(_WIDTHS):
-            header.resizeSection(column, width)
         count = self.texts.columnCount() - WRITTEN
-        room = self.viewport().width() - sum(_WIDTHS)
+        spare = self.viewport().width() - sum(_WIDTHS) - count * ROOMY
+        places = []
+        for wanted, least in zip(self._wanted, _WIDTHS, strict=True):
+            places.append(least + max(0, min(wanted - least, spare)))
+            spare -= places[-1] - least
+        for column, width in enumerate(places):
+            header.resizeSection(column, width)
+        room = self.viewport().width() - sum(places)
         for column in range(WRITTEN, WRITTEN + count):
             header.resizeSection(column, max(220, room // max(1, count)))
 
