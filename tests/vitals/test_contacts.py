@@ -53,6 +53,25 @@ def test_nobody_is_added_who_can_not_be_called(
     assert contacts.of(jack.id, "family") == []
 
 
+def test_before_a_contact_is_removed_the_nurse_is_asked(store: Store, jack: Resident) -> None:
+    Contacts(store).add(jack.id, "family", "Anna <Nilsen>", "sip:1@ward.invalid")
+
+    async def asking(session: aiohttp.ClientSession) -> None:
+        one = f"/residents/{jack.id}/contacts/1/remove"
+        assert f'href="{one}"' in await (await session.get(f"/residents/{jack.id}")).text()
+        asked = await (await session.get(one)).text()
+        assert "Remove Anna &lt;Nilsen&gt;?" in asked
+        assert "sip:1@ward.invalid" in asked
+        assert f'action="{one}#contacts"' in asked
+        # Nothing has happened yet; one who is there no more is not asked about.
+        assert len(Contacts(store).of(jack.id, "family")) == 1
+        gone = await session.get(f"/residents/{jack.id}/contacts/2/remove")
+        assert gone.url.path == f"/residents/{jack.id}"
+        assert (await session.get("/residents/9/contacts/1/remove")).status == 404
+
+    over_http(store, asking, "a-nurse")
+
+
 def test_the_robot_may_call_whom_the_nurse_has_added(store: Store, jack: Resident) -> None:
     async def asking(session: aiohttp.ClientSession) -> None:
         page = f"/residents/{jack.id}"
@@ -86,6 +105,7 @@ def test_nobody_else_changes_or_sees_whom_somebody_may_call(
         assert "Anna" not in await (await session.get(page)).text()
         assert (await session.post(f"{page}/contacts", data=ANNA)).status == 403
         assert (await session.post(f"{page}/contacts/1/remove")).status == 403
+        assert (await session.get(f"{page}/contacts/1/remove")).status == 403
 
     over_http(store, asking, token)
     assert len(Contacts(store).of(jack.id, "family")) == 1

@@ -399,7 +399,13 @@ def test_a_nurse_changes_what_is_given_and_what_is_told(
             assert (await session.post("/reminders", data={**new, "whom": whom})).status == 400
         nobody = {"begins": "10:30", "what": "the doctor"}
         assert (await session.post("/reminders", data=nobody)).status == 400
+        # She is asked first.
+        assert 'href="/reminders/1"' in text
+        sure = await (await session.get("/reminders/1")).text()
+        assert "10:30, room 12: the &lt;b&gt;doctor&lt;/b&gt;" in sure
+        assert len(day.reminders()) == 1
         await session.post("/reminders/1")
+        assert (await session.get("/reminders/1")).url.path == "/today"
 
     over_http(asking)
     assert [one.what for one in day.medicines(jack.id)] == ["<b>one</b> tablet"]
@@ -471,10 +477,10 @@ def test_a_visitor_sees_no_medicine_no_camera_and_changes_nothing(
         await session.get("/", params={"token": "a-visitor"})
         assert "/watch/7" not in await (await session.get("/")).text()
         shown = await (await session.get("/today")).text()
-        for hidden in ("tablets", "doctor", "12", "<form"):
+        for hidden in ("tablets", "doctor", "12", "<form", "Remove"):
             assert hidden not in shown
         assert "tea" in shown
-        for path in ("/watch/7", "/watch/7/live", "/watch/7/picture"):
+        for path in ("/watch/7", "/watch/7/live", "/watch/7/picture", "/reminders/2"):
             assert (await session.get(path)).status == 403
         for path in ("/watch/7", "/reminders", "/reminders/1", f"/residents/{jack.id}/medicine"):
             assert (await session.post(path)).status == 403

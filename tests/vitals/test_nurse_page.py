@@ -223,6 +223,25 @@ def test_all_readings_are_taken_away_as_a_table(store: Store, jack: Resident) ->
     over_http(store, asking, "a-nurse")
 
 
+def test_a_form_that_was_taken_says_so(store: Store, jack: Resident) -> None:
+    page = f"/residents/{jack.id}"
+    limits = {name: f"{value:g}" for name, value in jack.limits.items()}
+
+    async def asking(session: aiohttp.ClientSession) -> None:
+        assert "Saved." not in await (await session.get(page)).text()
+        for path, data in (
+            (page, limits),
+            (f"{page}/medicine", {"morning": "one tablet"}),
+            (f"{page}/person", {"name": "Jack", "room": "12"}),
+        ):
+            told = await (await session.post(path, data=data)).text()
+            assert told.count("Saved.") == 1
+        wrong = await (await session.post(page, data={})).text()
+        assert ("Saved." in wrong, "Not saved" in wrong) == (False, True)
+
+    over_http(store, asking, "a-nurse")
+
+
 # -- in her language -----------------------------------------------------------------
 
 

@@ -218,6 +218,9 @@ async def give_limits(nurse: Page) -> None:
     await field.fill("105")
     await nurse.get_by_role("button", name="Save", exact=True).click()
     await expect(nurse.get_by_role("alert")).to_have_count(0)
+    # At the form that she has just sent.
+    await expect(nurse.get_by_role("status")).to_be_in_viewport()
+    await expect(nurse.get_by_role("status")).to_have_text("Saved.")
     await expect(field).to_have_value("105")
     # A browser's own form is taken for what it is.
     await nurse.get_by_role("link", name="Ward").click()

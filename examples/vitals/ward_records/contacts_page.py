@@ -8,7 +8,8 @@ from html import escape
 from ward_records.contacts import Contact
 from ward_records.forms import Entry
 from ward_records.language import say
-from ward_records.page import kana_field, table
+from ward_records.page import asked, kana_field, removal, table
+from ward_records.store import Resident
 
 _GROUPS = {"family": "Family", "friends": "Friends"}
 
@@ -24,7 +25,7 @@ def form(resident: int, contacts: Mapping[str, Sequence[Contact]], entry: Entry)
     )
     listed = table("contacts", ("Name", "Group", "Address", ""), rows) if rows else ""
     return (
-        f'<h2 id="contacts">{say("Whom they may call")}</h2>{listed}{entry.wrong}'
+        f'<h2 id="contacts">{say("Whom they may call")}</h2>{listed}{entry.told}'
         f'<form method="post" action="/residents/{resident}/contacts#contacts">'
         f'<label for="contact">{say("Name")}</label>'
         '<input id="contact" name="contact" maxlength="80" autocomplete="off" required '
@@ -39,11 +40,19 @@ def form(resident: int, contacts: Mapping[str, Sequence[Contact]], entry: Entry)
     )
 
 
+def remove(resident: Resident, one: Contact) -> str:
+    """Asks once more."""
+    back = (resident.name, f"/residents/{resident.id}#contacts")
+    more = f"{one.name}, {one.address}"
+    return asked(back, "Resident", one.name, more, f"{_removed(resident.id, one)}#contacts")
+
+
+def _removed(resident: int, one: Contact) -> str:
+    return f"/residents/{resident}/contacts/{one.id}/remove"
+
+
 def _row(resident: int, group: str, one: Contact) -> str:
-    remove = (
-        f'<form method="post" action="/residents/{resident}/contacts/{one.id}/remove#contacts">'
-        f'<button class="quiet">{say("Remove")}</button></form>'
-    )
+    remove = removal(_removed(resident, one), escape(one.name))
     return (
         f"<tr><td>{escape(one.name)}</td><td>{say(_GROUPS[group])}</td>"
         f'<td class="address">{escape(one.address)}</td><td>{remove}</td></tr>'

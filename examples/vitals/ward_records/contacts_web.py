@@ -5,7 +5,7 @@
 language}                               the voice of the language has the name ``said``; 404: no
                                         such resident
 ``POST /residents/ID/contacts``         one more, from the form on her page
-``POST /residents/ID/contacts/C/remove``  one less
+``POST /residents/ID/contacts/C/remove``  one less; ``GET`` asks whether
 ======================================  =====================================================
 
 The forms are for operators only.
@@ -19,13 +19,13 @@ from aiohttp import web
 
 from ward_records import contacts_page
 from ward_records.access import Tokens
-from ward_records.answers import refused
+from ward_records.answers import refused, shown
 from ward_records.contacts import GROUPS, Contacts
 from ward_records.errors import Unfit, Unknown
 from ward_records.forms import Entry, not_taken, texts
 from ward_records.language import why
 from ward_records.names import said
-from ward_records.store import number_in
+from ward_records.store import Store, number_in
 
 _FIELDS = ("group", "contact", "address", "contact-kana")
 
@@ -35,10 +35,12 @@ class ContactsWeb:
 
     def __init__(
         self,
+        store: Store,
         contacts: Contacts,
         tokens: Tokens,
         resident: Callable[[int, Entry], web.Response],
     ) -> None:
+        self._store = store
         self._contacts = contacts
         self._tokens = tokens
         self._resident = resident
@@ -46,7 +48,9 @@ class ContactsWeb:
     def add_to(self, router: web.UrlDispatcher) -> None:
         router.add_post("/contacts", self._asked)
         router.add_post("/residents/{id:[0-9]{1,9}}/contacts", self._add)
-        router.add_post("/residents/{id:[0-9]{1,9}}/contacts/{one:[0-9]{1,9}}/remove", self._remove)
+        one = "/residents/{id:[0-9]{1,9}}/contacts/{one:[0-9]{1,9}}/remove"
+        router.add_get(one, self._ask)
+        router.add_post(one, self._remove)
 
     def form(self, number: int, entry: Entry) -> str:
         """Raises Unknown."""
@@ -85,6 +89,18 @@ class ContactsWeb:
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
         raise web.HTTPSeeOther(f"/residents/{number}")
+
+    async def _ask(self, request: web.Request) -> web.Response:
+        self._tokens.must_be_operator(request)
+        number, wanted = int(request.match_info["id"]), int(request.match_info["one"])
+        try:
+            resident = self._store.resident(number)
+        except Unknown as unknown:
+            raise web.HTTPNotFound(text=str(unknown)) from None
+        for one in (each for group in GROUPS for each in self._contacts.of(number, group)):
+            if one.id == wanted:
+                return shown(contacts_page.remove(resident, one))
+        raise web.HTTPSeeOther(f"/residents/{number}#contacts")
 
     async def _remove(self, request: web.Request) -> web.Response:
         self._tokens.must_be_operator(request)

@@ -8,7 +8,7 @@ from html import escape
 from ward_records.day import ROUNDS, Medicine, Reminder
 from ward_records.forms import Entry, stood
 from ward_records.language import say
-from ward_records.page import HIDDEN, framed, table
+from ward_records.page import HIDDEN, asked, framed, removal, table
 from ward_records.store import Resident
 
 ROUND = {"morning": "Morning", "noon": "Noon", "evening": "Evening"}
@@ -79,17 +79,18 @@ def _reminder(one: Reminder, open_: bool) -> str:
     else:
         room = say("room {0}").format(one.room)
         whom, what = (room, escape(one.what)) if open_ else (HIDDEN, HIDDEN)
-    remove = (
-        f'<form method="post" action="/reminders/{one.id}">'
-        f'<button class="quiet" aria-label="{say("Remove")}: {what}">'
-        f"{say('Remove')}</button></form>"
-        if open_
-        else ""
-    )
+    remove = removal(f"/reminders/{one.id}", what) if open_ else ""
     return (
         f"<tr><td>{one.begins}</td><td>{whom}</td><td>{what}</td>"
         f"{_outcome(one.outcome, open_ or one.room is None)}<td>{remove}</td></tr>"
     )
+
+
+def forget(one: Reminder) -> str:
+    """Asks once more."""
+    whom = say("all") if one.room is None else say("room {0}").format(one.room)
+    what = f"{one.begins}, {whom}: {one.what}"
+    return asked(("Today", "/today"), "Today", one.what, what, f"/reminders/{one.id}")
 
 
 def _outcome(outcome: str | None, open_: bool) -> str:
@@ -109,7 +110,7 @@ def _new(residents: Sequence[Resident], entry: Entry) -> str:
     begins, what = escape(given.get("begins", "")), escape(given.get("what", ""))
     daily = " checked" if "daily" in given else ""
     return (
-        f"<h3>{say('Have the robot tell')}</h3>{entry.wrong}"
+        f"<h3>{say('Have the robot tell')}</h3>{entry.told}"
         '<form method="post" action="/reminders">'
         f'<label for="begins">{say("At")}</label>'
         f'<input id="begins" name="begins" type="time" required value="{begins}">'
@@ -138,7 +139,7 @@ def medicine_form(resident: int, medicines: Sequence[Medicine], entry: Entry) ->
     return (
         f'<h2 id="medicine">{say("Medicine")}</h2>'
         f"<p>{say('As the robot is to say it, with how to take it. Empty: nothing then.')}</p>"
-        f'{entry.wrong}<form method="post" action="/residents/{resident}/medicine#medicine">'
+        f'{entry.told}<form method="post" action="/residents/{resident}/medicine#medicine">'
         f"{fields}<button>{say('Save medicine')}</button></form>"
     )
 

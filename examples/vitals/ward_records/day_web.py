@@ -8,7 +8,8 @@
 ``GET /watch/ROOM``                        a nurse looks; ``/live`` and ``/picture`` are in it
 ``POST /watch/ROOM``                       help is there, from that page's button
 ``GET /today``                             medicine and reminders of today, a page
-``POST /reminders``, ``/reminders/ID``     something is to be told, or no more, from the page
+``POST /reminders``, ``/reminders/ID``     something is to be told, or no more, from the page;
+                                           ``GET /reminders/ID`` asks whether no more
 ``POST /residents/ID/medicine``            what somebody is given, from her page
 =========================================  ==================================================
 """
@@ -62,6 +63,7 @@ class DayWeb:
         router.add_post(_ROOM, self._end)
         router.add_get("/today", self._today)
         router.add_post("/reminders", self._remind)
+        router.add_get("/reminders/{id:[0-9]{1,9}}", self._ask)
         router.add_post("/reminders/{id:[0-9]{1,9}}", self._forget)
         router.add_post("/residents/{id:[0-9]{1,9}}/medicine", self._prescribe)
 
@@ -142,6 +144,14 @@ class DayWeb:
             return self._day_shown(True, not_taken(form, str(unknown), "Not added: {0}"))
         raise web.HTTPSeeOther("/today")
 
+    async def _ask(self, request: web.Request) -> web.Response:
+        self._tokens.must_be_operator(request)
+        number = int(request.match_info["id"])
+        for one in self._day.reminders():
+            if one.id == number:
+                return shown(day_page.forget(one))
+        raise web.HTTPSeeOther("/today")
+
     async def _forget(self, request: web.Request) -> web.Response:
         self._tokens.must_be_operator(request)
         self._day.forget(int(request.match_info["id"]))
@@ -159,4 +169,4 @@ class DayWeb:
             return self._resident(who, overtaken(settled, day_page.ROUND))
         for name, what in settled.values.items():
             self._day.prescribe(who, name, what)
-        raise web.HTTPSeeOther(f"/residents/{who}")
+        raise web.HTTPSeeOther(f"/residents/{who}?saved=medicine")

@@ -17,15 +17,21 @@ from ward_records.language import say
 
 
 class Entry(Struct, frozen=True):
-    """given: what was typed into a form that was not taken; wrong: why not, as HTML."""
+    """given: what was typed into a form that was not taken; told: why not, or that another one
+    was, as HTML."""
 
     given: Mapping[str, str] = MappingProxyType({})
-    wrong: str = ""
+    told: str = ""
     status: int = 200
 
 
 NOTHING = Entry()
 """Nothing that was given was refused."""
+
+
+def saved() -> Entry:
+    """For the page after a form that was taken."""
+    return Entry(told=f'<p class="saved" role="status">{say("Saved.")}</p>')
 
 
 class Settled(Struct, frozen=True):

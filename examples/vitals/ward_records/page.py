@@ -140,6 +140,27 @@ def table(name: str, heads: Sequence[str], rows: str) -> str:
     )
 
 
+def removal(href: str, what: str) -> str:
+    """In a row of a table: leads to where it is asked once more. what: as HTML."""
+    return (
+        f'<a class="quiet" href="{href}" aria-label="{say("Remove")}: {what}">{say("Remove")}</a>'
+    )
+
+
+def asked(back: tuple[str, str], title: str, what: str, more: str, action: str) -> str:
+    """A page that asks whether something is to be removed. back: label and address of the page
+    that it came from; more: of it, in a line."""
+    label, href = escape(say(back[0])), back[1]
+    body = (
+        f'<p><a href="{href}">{label}</a></p>'
+        f"<h1>{say('Remove {0}?').format(escape(what))}</h1><p>{escape(more)}</p>"
+        f'<form method="post" action="{action}">'
+        f'<button class="alarm">{say("Remove")}</button></form>'
+        f'<p><a href="{href}">{say("No, go back")}</a></p>'
+    )
+    return framed(title, body)
+
+
 def kana_field(field: str, name: str, kana: str) -> str:
     """How a name is said: asked for where names are Japanese, or this one is."""
     if not (kana or needs_kana(name) or spoken() == "ja"):
@@ -167,7 +188,7 @@ def _limits(one: Resident, entry: Entry) -> str:
     return (
         f'<h2 id="limits">{say("Limits")}</h2>'
         f"<p>{say('Outside of these the robot measures again, and then calls you.')}</p>"
-        f'{entry.wrong}<form method="post" action="/residents/{one.id}#limits">{fields}'
+        f'{entry.told}<form method="post" action="/residents/{one.id}#limits">{fields}'
         f"<button>{say('Save')}</button></form>"
     )
 

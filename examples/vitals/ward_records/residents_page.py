@@ -22,7 +22,7 @@ def add(entry: Entry) -> str:
     """For somebody new. entry: one that was not taken."""
     body = (
         f'<p><a href="/">{say("Ward")}</a></p><h1>{say("Add a resident")}</h1>'
-        f'{entry.wrong}<form method="post" action="/residents">'
+        f'{entry.told}<form method="post" action="/residents">'
         f"{_fields(entry.given, say('PIN, four digits'), True)}"
         f"<button>{say('Add')}</button></form>"
     )
@@ -39,7 +39,7 @@ def change(one: Resident, pin_mark: str, entry: Entry) -> str:
     stands = written(one)
     before = "".join(stood(name, value) for name, value in {**stands, "pin": pin_mark}.items())
     return (
-        f'<h2 id="person">{say("Resident")}</h2>{entry.wrong}'
+        f'<h2 id="person">{say("Resident")}</h2>{entry.told}'
         f'<form method="post" action="/residents/{one.id}/person#person">'
         f"{_fields({**stands, **entry.given}, say(LABELS['pin']), False)}{before}"
         f"<button>{say('Save resident')}</button></form>"

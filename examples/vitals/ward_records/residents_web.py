@@ -80,7 +80,7 @@ class ResidentsWeb:
             return self._resident(number, not_taken(settled.values, why(unfit)))
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
-        raise web.HTTPSeeOther(f"/residents/{number}")
+        raise web.HTTPSeeOther(f"/residents/{number}?saved=person")
 
     async def _every(self, request: web.Request) -> web.Response:
         self._must(request)

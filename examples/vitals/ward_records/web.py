@@ -37,7 +37,7 @@ from ward_records.curves import MOST
 from ward_records.day import OUTCOMES, Day
 from ward_records.day_web import DayWeb
 from ward_records.errors import Locked, MovedOut, Unfit, Unknown, WrongPin
-from ward_records.forms import NOTHING, Entry, not_taken, overtaken, settle, texts
+from ward_records.forms import NOTHING, Entry, not_taken, overtaken, saved, settle, texts
 from ward_records.language import speak, wanted, why
 from ward_records.moving_out import MovingOut
 from ward_records.moving_out_web import MovingOutWeb
@@ -131,7 +131,7 @@ class _Ward:
         self._moving_out = moving_out
         self._tokens = tokens
         self.of_day = DayWeb(store, day, watching, tokens, self.once_more("medicine"))
-        self.of_contacts = ContactsWeb(contacts, tokens, self.once_more("contact"))
+        self.of_contacts = ContactsWeb(store, contacts, tokens, self.once_more("contact"))
 
     # -- what the robot asks -----------------------------------------------------
 
@@ -219,7 +219,9 @@ class _Ward:
         role = self._tokens.nurse(request)
         if role is None:
             return shown(page.entrance(), 403)
-        return self._resident(int(request.match_info["id"]), role == "operator")
+        form = request.query.get("saved", "")
+        taken = {form: saved()} if form else {}
+        return self._resident(int(request.match_info["id"]), role == "operator", taken)
 
     async def set_limits(self, request: web.Request) -> web.Response:
         self._tokens.must_be_operator(request)
@@ -236,7 +238,7 @@ class _Ward:
             return self._resident(number, True, {"limits": entry})
         except Unknown as unknown:
             raise web.HTTPNotFound(text=str(unknown)) from None
-        raise web.HTTPSeeOther(f"/residents/{number}")
+        raise web.HTTPSeeOther(f"/residents/{number}?saved=limits")
 
     async def see(self, request: web.Request) -> web.Response:
         self._tokens.must_be_operator(request)
@@ -253,7 +255,7 @@ class _Ward:
     def _resident(
         self, number: int, open_: bool, entries: Mapping[str, Entry] = MappingProxyType({})
     ) -> web.Response:
-        """entries: what was not taken, by its form."""
+        """entries: what was taken last, or not taken, by its form."""
         try:
             found = self._store.resident(number)
         except Unknown as unknown:
