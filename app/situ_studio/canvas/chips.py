@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, Qt
 
@@ -40,13 +42,18 @@ def arrow(
     """An arrow head 7 × 8 with its point at x, y, to the right or upwards."""
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(color)
+    painter.drawPath(_head(upwards, scale).translated(x, y))
+
+
+@lru_cache(maxsize=8)
+def _head(upwards: bool, scale: float) -> QPainterPath:
     long, half = 7 * scale, 4 * scale
-    path = QPainterPath(QPointF(x, y))
+    path = QPainterPath(QPointF(0, 0))
     if upwards:
-        path.lineTo(x - half, y + long)
-        path.lineTo(x + half, y + long)
+        path.lineTo(-half, long)
+        path.lineTo(half, long)
     else:
-        path.lineTo(x - long, y - half)
-        path.lineTo(x - long, y + half)
+        path.lineTo(-long, -half)
+        path.lineTo(-long, half)
     path.closeSubpath()
-    painter.drawPath(path)
+    return path

@@ -7,11 +7,21 @@ from collections.abc import Callable, Hashable
 from math import ceil, floor
 from typing import NamedTuple
 
-from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPixmap, Qt, QTransform
 
 MOST = 64 * 2**20
 """Bytes kept for one canvas: twice what a window of 4K shows."""
+
+
+def by_pixels(to_screen: QTransform, world: QTransform) -> QTransform:
+    """What takes the place of a painter's ``world`` so that its units are px of the screen.
+
+    to_screen: the painter's ``deviceTransform``, that scales both ways alike and turns nothing.
+    """
+    ratio = to_screen.m11() / world.m11()
+    left, top = to_screen.dx() / ratio - world.dx(), to_screen.dy() / ratio - world.dy()
+    return QTransform(1 / ratio, 0.0, 0.0, 1 / ratio, -left, -top)
 
 
 class _Kept(NamedTuple):
@@ -62,15 +72,11 @@ class Pictures:
             self._keep(name, kept)
         assert kept.picture is not None
         self._kept.move_to_end(name)
-        # One px of the picture is one of the screen: the painter's own scale and place off again.
         world = painter.worldTransform()
-        scale = zoom / world.m11()
-        x = round(to_screen.dx()) + kept.left - (to_screen.dx() - world.dx() * scale)
-        y = round(to_screen.dy()) + kept.top - (to_screen.dy() - world.dy() * scale)
-        painter.setWorldTransform(
-            QTransform(1 / scale, 0.0, 0.0, 1 / scale, x / scale, y / scale), False
+        painter.setWorldTransform(by_pixels(to_screen, world), False)
+        painter.drawPixmap(
+            round(to_screen.dx()) + kept.left, round(to_screen.dy()) + kept.top, kept.picture
         )
-        painter.drawPixmap(QPointF(0, 0), kept.picture)
         painter.setWorldTransform(world, False)
 
     @staticmethod

@@ -280,11 +280,17 @@ class RoutedPipe(PipeItem):
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: Widget | None = None
     ) -> None:
+        look = self.look
         self._paint_way(painter)
-        zero = self.untaken_area()
-        # A label has its count already.
-        if not zero.isEmpty() and zero != self.label_area():
-            untaken.paint_sign(painter, self.look, zero.center().x(), zero.center().y())
+        if isinstance(look.live, LiveView):
+            zero = self.untaken_area()
+            # A label has its count already.
+            if not zero.isEmpty() and zero != self.label_area():
+                untaken.paint_sign(painter, look, zero.center().x(), zero.center().y())
+        if self.wrong() is not None:
+            self._paint_sign(painter)
+
+    def _paint_sign(self, painter: QPainter) -> None:
         look, area = self.look, self.sign_area()
         if area.isEmpty() or self._wrong is None or (self.route.folded and look.level != "full"):
             return
@@ -297,7 +303,8 @@ class RoutedPipe(PipeItem):
 
     def _paint_way(self, painter: QPainter) -> None:
         look, route = self.look, self.route
-        strong = self.selected() or self.hovered
+        selected = self.selected()
+        strong = selected or self.hovered
         color = look["accent"] if strong else look["pipe"]
         if route.folded:
             if route.trunk is None and look.level == "full":
@@ -309,7 +316,7 @@ class RoutedPipe(PipeItem):
         if len(route.points) < 2:
             return
         # Small drawings keep lines and arrows that can be seen.
-        width = max(2.0 if self.selected() else 1.6, 1.2 / look.zoom)
+        width = max(2.0 if selected else 1.6, 1.2 / look.zoom)
         taken, count = self._taken(), self._count()
         named = self._label is not None and count is None and look.level == "full"
         path = self._gapped() if named else self.path()
@@ -349,7 +356,7 @@ class RoutedPipe(PipeItem):
             self._label.paint_count(painter, look, count, bool(taken))
         else:
             ink = color if strong or taken else look["text2"]
-            self._label.paint(painter, look, ink, self.selected(), self.hovered)
+            self._label.paint(painter, look, ink, selected, self.hovered)
 
     def _paint_folded_join(self, painter: QPainter, color: QColor) -> None:
         """To the chip of the exit above that leads to the same card."""

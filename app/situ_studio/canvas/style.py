@@ -106,7 +106,6 @@ class Look:
     def __init__(self, theme: Theme) -> None:
         self.zoom = 1.0
         self.level: Level = "full"
-        self.ratio = 1.0
         self.pictures = Pictures()
         # Routes are still being looked for: straight lines until then.
         self.unrouted = False
@@ -127,9 +126,9 @@ class Look:
         self.colors["far"] = QColor("#AEB7C6" if theme.name == "light" else "#4A5465")
         self.version += 1
 
-    def set_zoom(self, zoom: float, ratio: float) -> bool:
+    def set_zoom(self, zoom: float) -> bool:
         """Whether the level of detail is another one now."""
-        self.zoom, self.ratio = zoom, ratio
+        self.zoom = zoom
         before, self.level = self.level, level(zoom)
         return before != self.level
 
