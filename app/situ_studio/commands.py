@@ -21,6 +21,7 @@ from situ_studio.menus import told
 from situ_studio.panels.project_tree import stem
 from situ_studio.preferences import Preferences
 from situ_studio.screens import ordering
+from situ_studio.screens.guides import Axis
 from situ_studio.shortcuts import Shortcuts
 from situ_studio.showing import show_beside
 
@@ -97,6 +98,23 @@ class Commands(InsertCommands):
 
     def can_order(self) -> bool:
         return bool(self.components.chosen)
+
+    def has_designer(self) -> bool:
+        return self.components.guiding is not None
+
+    def has_guides(self) -> bool:
+        guiding = self.components.guiding
+        return guiding is not None and bool(guiding.guides)
+
+    def add_guide(self, axis: Axis) -> None:
+        guiding = self.components.guiding
+        if guiding is not None:
+            guiding.add(axis)
+
+    def clear_guides(self) -> None:
+        guiding = self.components.guiding
+        if guiding is not None:
+            guiding.clear()
 
     def can_paste(self) -> bool:
         return self.is_application() or self.on_parts_of_script() or self.cells is not None

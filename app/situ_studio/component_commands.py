@@ -14,6 +14,7 @@ from situ_studio import places, words
 from situ_studio.edit import Place
 from situ_studio.lacking import lacking
 from situ_studio.screens import copies, ordering
+from situ_studio.screens.guiding import Guiding
 from situ_studio.screens.sheet import Sheet
 
 if TYPE_CHECKING:
@@ -52,6 +53,16 @@ class ComponentCommands(QObject):
                 sheet: Sheet = piece.sheet
                 return sheet
         return None
+
+    @property
+    def guiding(self) -> Guiding | None:
+        """The guides of the designer, where that is seen."""
+        view = self._window.current_view
+        piece = view.piece("designer") if view is not None else None
+        if piece is None or not piece.isVisible():
+            return None
+        guiding: Guiding = piece.guiding
+        return guiding
 
     def offer_tags(self, tags: tuple[str, ...]) -> None:
         """Tells every screen that is seen, in both groups of tabs, the tags of the project."""

@@ -53,6 +53,8 @@ def reasons() -> dict[str, str]:
         "has_breakpoints": tr("there is no breakpoint"),
         "has_cells": tr("only in the matrix of a script"),
         "has_data": tr("select data in the graph first"),
+        "has_designer": tr("only in the screen designer"),
+        "has_guides": tr("there is no guide yet: drag one out of a ruler"),
         "has_document": tr("open a document first"),
         "has_drawn_exit": exit,
         "has_exit": exit,

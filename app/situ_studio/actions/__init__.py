@@ -51,6 +51,7 @@ SUBMENU_ICONS = {
     "View/Letters": "text",
     "Arrange/Align": "align_left",
     "Arrange/Order": "layers",
+    "Arrange/Guides": "guide_upright",
     "Insert/Situation": "situation",
     "Insert/Tests": "condition",
     "Insert": "plus",

@@ -78,6 +78,47 @@ ARRANGE: tuple[Command, ...] = (
         when="on_application",
         tip="The selected cards, or all, to the nearest points of the grid.",
     ),
+    *(
+        row(
+            f"guide.{name}",
+            text,
+            "add_guide",
+            argument=axis,
+            icon=icon,
+            menu="Arrange/Guides",
+            when="has_designer",
+            tip=tip,
+            contexts="screen",
+        )
+        for name, axis, icon, text, tip in (
+            (
+                "upright",
+                "x",
+                "guide_upright",
+                "New upright guide",
+                "A line down the screens of this application, which edges are drawn to; "
+                "arrows move it.",
+            ),
+            (
+                "lying",
+                "y",
+                "guide_lying",
+                "New lying guide",
+                "A line across the screens of this application, which edges are drawn to; "
+                "arrows move it.",
+            ),
+        )
+    ),
+    row(
+        "guide.clear",
+        "Remove all guides",
+        "clear_guides",
+        icon="trash",
+        menu="Arrange/Guides",
+        when="has_designer has_guides",
+        tip="Of all screens of this application.",
+        contexts="screen",
+    ),
     row(
         "layout",
         "Arrange by itself",

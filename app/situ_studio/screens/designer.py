@@ -24,16 +24,19 @@ from situ_studio import places, words
 from situ_studio.breadcrumbs import Breadcrumbs
 from situ_studio.edit import Place
 from situ_studio.layouts import rule
+from situ_studio.letters import px
 from situ_studio.screens import media_import, templates
 from situ_studio.screens.designer_bar import DesignerBar
 from situ_studio.screens.designer_sheet import DesignerSheet, files_in
 from situ_studio.screens.designer_side import DesignerSide
 from situ_studio.screens.device_ground import DeviceGround
 from situ_studio.screens.devices import USUAL, Device
+from situ_studio.screens.guiding import Guiding
 from situ_studio.screens.layers import BACKGROUND
 from situ_studio.screens.own_device import ask_device
 from situ_studio.screens.own_templates import OwnTemplates
 from situ_studio.screens.preview_window import PreviewWindow
+from situ_studio.screens.rulers import WIDE
 from situ_studio.screens.sampling import Sampling
 from situ_studio.screens.state_screen import StateScreen
 from situ_studio.screens.strip import StateStrip
@@ -84,12 +87,13 @@ class Designer(QWidget):
         self.setFocusProxy(self.sheet)
         self.ground = DeviceGround(theme, self.sheet)
         self.strip = StateStrip(theme, media)
+        self.guiding = Guiding(self.sheet, self.ground, theme)
         self.shown = StateScreen(self.sheet, theme, media, self)
         self.sampling = Sampling(self.bar, theme, project, self)
         self.crumbs = _BareCrumbs(theme, self.ground)
         self.crumbs.setAccessibleName(self.tr("Where you are"))
         over = QVBoxLayout(self.ground)
-        over.setContentsMargins(0, 0, 0, 0)
+        over.setContentsMargins(px(WIDE), px(WIDE), 0, 0)
         over.addWidget(self.crumbs)
         over.addStretch(1)
         self.preview: PreviewWindow | None = None
@@ -110,6 +114,7 @@ class Designer(QWidget):
     def _wire(self) -> None:
         shown, side, bar, sheet = self.shown, self.side, self.bar, self.sheet
         shown.edited.connect(self.edited)
+        self.guiding.edited.connect(self.edited)
         shown.selection_changed.connect(self.selection_changed)
         shown.status.connect(self.status)
         shown.filled_in.connect(self.filled_in)
@@ -151,7 +156,8 @@ class Designer(QWidget):
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
-        for one in (self.side, self.ground, self.strip, self.crumbs, self.shown, self.sampling):
+        every = (self.side, self.ground, self.strip, self.crumbs, self.shown, self.sampling)
+        for one in (*every, self.guiding):
             one.set_theme(theme)
 
     def show_document(self, application: rbd.Application, problems: list[Problem]) -> None:
@@ -185,6 +191,7 @@ class Designer(QWidget):
             chosen = (BACKGROUND,)
         self.side.layers.show_screen(self.shown.screen, chosen, self.shown.problems)
         self._show_values()
+        self.guiding.show_document(application)
 
     def _show_values(self) -> None:
         screen, above = self.shown.screen, self.shown.above

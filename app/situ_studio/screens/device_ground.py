@@ -10,6 +10,7 @@ from situ_studio.letters import px
 from situ_studio.screens.devices import USUAL, Device
 from situ_studio.screens.measures import measures
 from situ_studio.screens.painting import layer
+from situ_studio.screens.rulers import WIDE, Ruler
 from situ_studio.screens.sheet import Sheet
 from situ_studio.theme import Theme
 
@@ -28,6 +29,8 @@ BEZEL = "#2B313C"
 class DeviceGround(QWidget):
     """Holds the sheet: as large as there is room, at most ``MOST`` of the device's own px."""
 
+    laid_out = Signal()
+    """The screen lies elsewhere, or is larger or smaller."""
     pressed = Signal()
     """The ground beside the device was clicked."""
 
@@ -39,6 +42,7 @@ class DeviceGround(QWidget):
         self._dots: QPixmap | None = None
         self._lit = QRect()
         sheet.setParent(self)
+        self.rulers = Ruler("x", theme, self), Ruler("y", theme, self)
         self.setMinimumSize(px(200), px(160))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self._zoom = QLabel(self)
@@ -50,8 +54,15 @@ class DeviceGround(QWidget):
         """Px of the window for one of the device."""
         return self._sheet.width() / self._device.wide
 
+    @property
+    def room(self) -> QRect:
+        """What the rulers leave."""
+        return self.rect().adjusted(px(WIDE), px(WIDE), 0, 0)
+
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
+        for ruler in self.rulers:
+            ruler.set_theme(theme)
         self._dots = None
         self.update()
 
@@ -60,7 +71,7 @@ class DeviceGround(QWidget):
         self._lay_out()
 
     def _lay_out(self) -> None:
-        device, room = self._device, self.rect().adjusted(AROUND, ABOVE, -AROUND, -AROUND)
+        device, room = self._device, self.room.adjusted(AROUND, ABOVE, -AROUND, -AROUND)
         scale = min(
             room.width() / (device.wide * (1 + 2 * RIM)),
             room.height() / (device.high + 2 * RIM * device.wide),
@@ -77,6 +88,12 @@ class DeviceGround(QWidget):
         self._zoom.setText(self.tr("{0} %").format(round(self.zoom * 100)))
         self._zoom.adjustSize()
         self._zoom.move(self.width() - self._zoom.width() - 12, self.height() - 20)
+        above, beside = self.rulers
+        above.setGeometry(self.room.left(), 0, self.room.width(), px(WIDE))
+        beside.setGeometry(0, self.room.top(), px(WIDE), self.room.height())
+        above.show_screen(self._sheet.x() - above.x(), wide)
+        beside.show_screen(self._sheet.y() - beside.y(), high)
+        self.laid_out.emit()
         self.update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -91,6 +108,7 @@ class DeviceGround(QWidget):
         painter = QPainter(self)
         painter.fillRect(self.rect(), self._theme.color("canvas"))
         painter.fillRect(self.rect(), QBrush(self._dotted()))
+        painter.fillRect(0, 0, px(WIDE), px(WIDE), self._theme.color("card"))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         lit = QRectF(self._lit)
         rim = max(7, round(lit.width() * RIM))

@@ -10,6 +10,7 @@ from collections.abc import Collection, Mapping
 from typing import NamedTuple
 
 from situ_studio.screens import placing, snapping
+from situ_studio.screens.guides import Guide
 from situ_studio.screens.placing import Box
 from situ_studio.screens.snapping import Gap, Snap
 
@@ -34,15 +35,18 @@ class Proposal(NamedTuple):
 class Moving:
     """Components go with the mouse, all by the same way. others: what stays."""
 
-    def __init__(self, boxes: Mapping[str, Box], others: Collection[Box]) -> None:
-        self._boxes, self._others = boxes, others
+    def __init__(
+        self, boxes: Mapping[str, Box], others: Collection[Box], guides: Collection[Guide] = ()
+    ) -> None:
+        self._boxes, self._others, self._guides = boxes, others, guides
 
     def at(self, dx: float, dy: float, held: Held) -> Proposal:
         if held.straight:
             dx, dy = (dx, 0.0) if abs(dx) >= abs(dy) else (0.0, dy)
         snap = Snap(dx, dy)
         if not held.free:
-            snap = snapping.snapped(placing.around(self._boxes.values()), self._others, dx, dy)
+            whole = placing.around(self._boxes.values())
+            snap = snapping.snapped(whole, self._others, dx, dy, guides=self._guides)
             if held.straight:
                 snap = snap._replace(dy=0.0, lying=()) if dx else snap._replace(dx=0.0, upright=())
         made = placing.moved(self._boxes, snap.dx, snap.dy)
@@ -52,14 +56,22 @@ class Moving:
 class Resizing:
     """Edges of components, or of what covers several, go with the mouse."""
 
-    def __init__(self, boxes: Mapping[str, Box], others: Collection[Box], handle: str) -> None:
-        self._boxes, self._others, self._handle = boxes, others, handle
+    def __init__(
+        self,
+        boxes: Mapping[str, Box],
+        others: Collection[Box],
+        handle: str,
+        guides: Collection[Guide] = (),
+    ) -> None:
+        self._boxes, self._others, self._handle, self._guides = boxes, others, handle, guides
 
     def at(self, dx: float, dy: float, held: Held) -> Proposal:
         snap = Snap(dx, dy)
         if not held.free and not held.straight:
             whole = placing.around(self._boxes.values())
-            snap = snapping.snapped(whole, self._others, dx, dy, self._handle, move=False)
+            snap = snapping.snapped(
+                whole, self._others, dx, dy, self._handle, move=False, guides=self._guides
+            )
         made = placing.resized(self._boxes, self._handle, snap.dx, snap.dy, held.straight)
         return Proposal(made, snap, _gaps(made, self._others, held))
 

@@ -102,14 +102,14 @@ class Hand:
         assert self._start is not None
         boxes = sheet.selected_boxes()
         if self._handle:
-            return Resizing(boxes, sheet.others(boxes), self._handle)
+            return Resizing(boxes, sheet.others(boxes), self._handle, sheet.guides)
         under = sheet.under(self._start)
         if under and not set(under) & set(boxes):
             # With Alt nothing was selected yet.
             sheet.choose((under[0],))
             boxes = sheet.selected_boxes()
         if under:
-            return Moving(boxes, sheet.others(boxes))
+            return Moving(boxes, sheet.others(boxes), sheet.guides)
         kept = self._before if self._held & MORE else ()
         return Banding(*sheet.scale.percent(self._start), kept)
 

@@ -34,6 +34,7 @@ from situ_studio.panels.preview import ScreenPreview
 from situ_studio.screens import accessible, keyboard, marks, placing
 from situ_studio.screens.devices import USUAL, Device
 from situ_studio.screens.drags import Proposal
+from situ_studio.screens.guides import Guides
 from situ_studio.screens.hand import Hand
 from situ_studio.screens.placing import Box
 from situ_studio.screens.problem_marks import ProblemMarks, Told
@@ -85,6 +86,8 @@ class Sheet(ScreenPreview):
         """What there is to do, where nothing is on the screen yet."""
         self.looked_at = USUAL
         """Whose millimetres are told."""
+        self.guides: Guides = ()
+        """Those that a person has put there, where they are seen."""
         self._hand = Hand(self)
         self.writing = Writing(self)
         self.problems = ProblemMarks(self)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import NamedTuple
 
+from situ_studio.screens.guides import Axis, Guide
 from situ_studio.screens.placing import Box
 
 GRID = 1.0
@@ -46,16 +47,23 @@ class Gap(NamedTuple):
 
 
 def snapped(
-    box: Box, others: Collection[Box], dx: float, dy: float, handle: str = "nesw", move: bool = True
+    box: Box,
+    others: Collection[Box],
+    dx: float,
+    dy: float,
+    handle: str = "nesw",
+    move: bool = True,
+    guides: Collection[Guide] = (),
 ) -> Snap:
     """The shift nearest to this one that puts an edge or the middle on a guide, else leaves the
     gaps beside it even, else puts it on the grid.
 
-    Guides are the edges and middles of ``others`` and of the screen. handle: the edges that go;
+    Guides are the edges and middles of ``others`` and of the screen, and those that a person has
+    put there. handle: the edges that go;
     move: all of it goes, so that its middle counts too, and its gaps.
     """
-    xs = [0.0, 50.0, 100.0, *(v for b in others for v in (b.x, b.x + b.width / 2, b.right))]
-    ys = [0.0, 50.0, 100.0, *(v for b in others for v in (b.y, b.y + b.height / 2, b.bottom))]
+    xs = [*_lines("x", others), *(one.at for one in guides if one.axis == "x")]
+    ys = [*_lines("y", others), *(one.at for one in guides if one.axis == "y")]
     own_x = [v for letter, v in (("w", box.x), ("e", box.right)) if letter in handle]
     own_y = [v for letter, v in (("n", box.y), ("s", box.bottom)) if letter in handle]
     if move:
@@ -71,6 +79,19 @@ def snapped(
             shifted = box._replace(x=box.x + to_x)
             to_y = _even(_upright(shifted), [_upright(b) for b in others], dy, to_y)
     return Snap(to_x, to_y, upright, lying)
+
+
+def guided(axis: Axis, at: float, boxes: Collection[Box]) -> float:
+    """Where a guide goes that is dragged there: on an edge or a middle, else on the grid."""
+    by, _ = _on_guide([at], _lines(axis, boxes), 0.0)
+    return at + by
+
+
+def _lines(axis: Axis, boxes: Collection[Box]) -> list[float]:
+    """The edges and middles of the screen and of these, across one axis."""
+    if axis == "x":
+        return [0.0, 50.0, 100.0, *(v for b in boxes for v in (b.x, b.x + b.width / 2, b.right))]
+    return [0.0, 50.0, 100.0, *(v for b in boxes for v in (b.y, b.y + b.height / 2, b.bottom))]
 
 
 def _on_guide(own: list[float], guides: list[float], by: float) -> tuple[float, tuple[float, ...]]:

@@ -506,8 +506,13 @@ def test_the_screen_lies_in_its_frame_however_large_the_window_is(desk: Desk) ->
         assert desk.designer.ground.rect().contains(area.adjusted(-7, -7, 7, 7))
         assert area.width() / area.height() == pytest.approx(1.6, abs=0.01)
         # Under the names above it.
-        assert area.top() > desk.designer.crumbs.height()
-        assert desk.designer.crumbs.width() == desk.designer.ground.width()
+        assert area.top() > desk.designer.crumbs.geometry().bottom()
+        # The rulers stand above and beside all of it.
+        room = desk.designer.ground.room
+        assert desk.designer.crumbs.width() == room.width()
+        assert room.contains(area)
+        for ruler in desk.designer.ground.rulers:
+            assert not ruler.geometry().intersects(room)
 
 
 def test_that_a_picture_is_missing_stands_on_it_while_it_is_dragged_too(desk: Desk) -> None:
