@@ -14,6 +14,7 @@ JAPANESE = {
     "room {0}": "{0}号室",
     "Room {0}": "{0}号室",
     "place not known": "場所は不明",
+    "the robot": "ロボットの所",
     "Name": "名前",
     "Measured": "測定値",
     "Measured last": "最後の測定値",
