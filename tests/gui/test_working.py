@@ -138,9 +138,9 @@ def test_a_check_beside_the_window_is_shown_and_cancelled(project: Copy, qt: QOb
 def test_a_layout_is_shown_in_the_strip_whose_button_cancels_it(
     studio: Start, project: Copy, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("situ_studio.canvas.application.AT_ONCE", 5)
+    monkeypatch.setattr("situ_studio.canvas.positions.AT_ONCE", 5)
     used = studio(project("reception"))
-    strip, arranging = used.window.status.work, used.window.current_view.canvas._arranging
+    strip, arranging = used.window.status.work, used.window.current_view.canvas.positions.arranging
     arranging._command = (sys.executable, "-c", "import signal; signal.pause()")
     layout = used.window.actions_.actions["layout"]
     layout.trigger()

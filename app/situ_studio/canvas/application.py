@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -14,21 +14,20 @@ from situ.document.problem import Problem
 from situ.document.rbd import Application
 from situ_studio import places
 from situ_studio.canvas import counted, gestures, intents, layout, spoken
-from situ_studio.canvas.arranging import Arranging
 from situ_studio.canvas.between import Between
 from situ_studio.canvas.cards import CardItem
 from situ_studio.canvas.commands import CommandedCanvas
 from situ_studio.canvas.figure_items import FrameItem, NoteItem
 from situ_studio.canvas.figures import Figure
 from situ_studio.canvas.figuring import Figuring
-from situ_studio.canvas.graph import differing
 from situ_studio.canvas.live import LiveView, changes
 from situ_studio.canvas.menu import FollowMenu
 from situ_studio.canvas.nodes import NodeFace, Spot
 from situ_studio.canvas.picture import ALWAYS, NEW, Card, Picture, exit_of, place_of
 from situ_studio.canvas.pipes import RoutedPipe
 from situ_studio.canvas.piping import Piping
-from situ_studio.canvas.projection import Projector, identified
+from situ_studio.canvas.positions import Positions
+from situ_studio.canvas.projection import Projector
 from situ_studio.canvas.what_follows import WhatFollows
 from situ_studio.copying import Copying
 from situ_studio.edit import Place
@@ -36,9 +35,6 @@ from situ_studio.insert import insert
 from situ_studio.kinds import Kind
 from situ_studio.language import tr
 from situ_studio.theme import Theme
-
-AT_ONCE = 300
-"""So many cards are arranged at once; more in a process of its own."""
 
 
 class ApplicationCanvas(CommandedCanvas, Copying):
@@ -59,13 +55,9 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         self._projector = Projector()
         self._picture = Picture({}, {}, {})
         self._piping = Piping(self.graph, self)
-        self._laid: dict[str, tuple[float, float]] = {}
-        self._placed: dict[str, Any] = {}
         self._figuring = Figuring(self, self._edit)
+        self.positions = Positions(self, self._figuring, self._edit)
         self._between = Between(self)
-        self._arranging = Arranging(self)
-        self._arranging.refused.connect(self.status)
-        self._arranging.done.connect(self._on_arranged)
         self._drop: tuple[str, str, QPointF] | None = None
         naming = self.tr("New state “{0}”")
         self._what_follows = WhatFollows(self, lambda: self._picture, naming)
@@ -79,22 +71,14 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         self.render_document()
 
     def render_document(self) -> None:
-        # Cards without a place in the file keep the one that they get while they are shown.
-        self._lay_out_new()
-        self._picture = self._projector.picture(self.document, self._problems, self._laid)
+        self.positions.lay_out_new()
+        self._picture = self._projector.picture(self.document, self._problems, self.positions.laid)
         beside = self._figuring.show(self.document)
         self._show({**self._picture.cards, **beside}, self._picture.links)
 
     def arrange_like(self, other: ApplicationCanvas) -> None:
-        self._laid = dict(other._laid)
+        self.positions.laid = dict(other.positions.laid)
         self._piping.draw_like(other._piping)
-
-    def _lay_out_new(self) -> None:
-        values = dict(identified(self.document))
-        _, other = differing(self._placed, values)
-        if any(values[u].aside.position is None and u not in self._laid for u in other):
-            self._laid.update(layout.missing(self.document, self._laid))
-        self._placed = values
 
     def _item_kind(self, card: Any) -> type[NodeFace]:
         if isinstance(card, Figure):
@@ -165,7 +149,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         elif slices:
             after, text = intents.sliced(self.document, self._picture, slices)
         elif moved:
-            after, text = self._moved(moved)
+            after, text = self.positions.moved(moved)
             if meant is not None and len(moved) == 1:
                 inserted, words = self._between.put(after, next(iter(moved)), meant)
                 after, text = (inserted, words) if words else (after, text)
@@ -177,34 +161,9 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         if drop is not None:
             self._what_follows.ask(*drop)
 
-    def _moved(self, moved: dict[str, tuple[float, float]]) -> tuple[Application, str]:
-        return self._put({u: (gestures.snap(x), gestures.snap(y)) for u, (x, y) in moved.items()})
-
-    def _put(self, to: dict[str, tuple[float, float]]) -> tuple[Application, str]:
-        """Things at other places, with what lies in the frames among them."""
-        every = {uid: (self._face(uid), at) for uid, at in self._figuring.with_held(to).items()}
-        changed = {face.place: at for face, at in every.values() if (face.x, face.y) != at}
-        if not changed:
-            return self.document, ""
-        after, text = gestures.move(self.document, changed)
-        if len(to) == 1:
-            one = gestures.called(self.document, self._face(next(iter(to))).place)
-            text = tr("Move {0}").format(one)
-        return gestures.move(after, {**self._unplaced(), **changed})[0], text
-
-    def _face(self, uid: str) -> Card | Figure:
+    def face(self, uid: str) -> Card | Figure:
+        """What is shown of a card, note or frame."""
         return self._figuring.shown.get(uid) or self._picture.cards[uid]
-
-    def _unplaced(self) -> dict[Place, tuple[float, float]]:
-        """Where cards without a place in the file are shown: they stay when one is moved."""
-        return {
-            self._picture.cards[uid].place: self._laid[uid]
-            for uid, value in identified(self.document)
-            if uid in self._laid and value.aside.position is None
-        }
-
-    def _pinned(self) -> Application:
-        return gestures.move(self.document, self._unplaced())[0]
 
     # -- what can follow -----------------------------------------------------------------
 
@@ -254,7 +213,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         """A new state, selected. at: its corner in the scene; None: a free place near."""
         at = at if at is not None else self.free_spot()
         x, y = at.x(), at.y()
-        after, text, no = gestures.add_state(self._pinned(), x, y, kind)
+        after, text, no = gestures.add_state(self.positions.pinned(), x, y, kind)
         self._edit(after, text)
         if ("state", no) in self._picture.uids:
             self.select([("state", no)])
@@ -279,7 +238,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         if kind.name == "part":
             self.part_asked.emit(QPointF(x, y), place if exit_of(place) is not None else ())
         elif exit_of(place) is not None:
-            after, text = gestures.insert(self._pinned(), place, x, y)
+            after, text = gestures.insert(self.positions.pinned(), place, x, y)
             self._edit(after, text)
             self.select([("state", gestures.last_number(after))])
         else:
@@ -311,7 +270,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
     # -- copies ---------------------------------------------------------------------------
 
     def copied_document(self) -> Application | None:
-        return self._pinned()
+        return self.positions.pinned()
 
     def paste_corner(self) -> tuple[float, float] | None:
         """At the context menu, else at the mouse, else at a free place."""
@@ -326,41 +285,15 @@ class ApplicationCanvas(CommandedCanvas, Copying):
 
     def align(self, edge: str) -> None:
         """edge: left, center, right, top, middle, bottom; or across, down: spaced evenly."""
-        areas = {}
-        for uid in self.selected_uids():
-            card = self._face(uid)
-            areas[card.place] = gestures.Area(card.x, card.y, card.width, card.height)
-        self._edit(*gestures.align(self._pinned(), areas, edge))
+        self.positions.align(edge)
 
     def auto_layout(self) -> None:
-        """Every card by the automatic layout; one edit. Of many cards in a process, cancelled by
-        Esc; they stay where they are until it is done."""
-        shape = layout.shape(self.document)
-        if len(shape.heights) <= AT_ONCE:
-            self._arrange(layout.place(shape))
-            return
-        self._arranging.start(shape)
-        words = tr("Arranging {0} cards").format(f"{len(shape.heights):,}")
-        self.work_begun.emit(words, self._arranging)
-
-    def _on_arranged(self, placed: Mapping[str, tuple[float, float]]) -> None:
-        if placed.keys() == {uid for uid, _ in identified(self.document)}:
-            self._arrange(placed)
-        else:
-            self.status.emit(
-                tr("There are other cards now than those arranged: arrange them again")
-            )
-
-    def _arrange(self, placed: Mapping[str, tuple[float, float]]) -> None:
-        to = {self._picture.cards[uid].place: at for uid, at in placed.items()}
-        after, text = gestures.move(self.document, to)
-        after = self._figuring.arranged(after, placed)
-        self._edit(after, "Arrange all cards" if text else "")
-        self.zoom_to_fit()
+        """Every card by the automatic layout; of many cards in a process, cancelled by Esc."""
+        self.positions.arrange()
 
     def _key(self, event: QKeyEvent) -> bool:
-        if event.key() == Qt.Key.Key_Escape and self._arranging.is_running:
-            self._arranging.cancel()
+        if event.key() == Qt.Key.Key_Escape and self.positions.arranging.is_running:
+            self.positions.arranging.cancel()
             return True
         return super()._key(event)
 
@@ -378,14 +311,10 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         self._edit(after, texts[0] if len(texts) == 1 else many)
 
     def nudge(self, across: int, down: int) -> None:
-        to = {}
-        for uid in self.selected_uids():
-            face = self._face(uid)
-            to[uid] = (face.x + across * gestures.GRID, face.y + down * gestures.GRID)
-        self._edit(*self._put(to))
+        self.positions.nudge(across, down)
 
     def _rename_card(self, uid: str, name: str) -> None:
-        face = self._face(uid)
+        face = self.face(uid)
         if isinstance(face, Figure):
             self._figuring.write(uid, name)
         elif face.no:
@@ -398,7 +327,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
         return super().name_area(uid)
 
     def edit_name(self, uid: str) -> None:
-        face = self._face(uid)
+        face = self.face(uid)
         if isinstance(face, Figure) and face.kind == "note":
             self.viewer.reveal(self.card_area(uid))
             self._begin_editor(self._figuring.editor(uid))
@@ -406,7 +335,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
             super().edit_name(uid)
 
     def walked_to(self, uid: str) -> QPointF:
-        face = self._face(uid)
+        face = self.face(uid)
         if face.kind == "frame":
             # Its title: its middle lies among the cards that it holds.
             return QPointF(face.x + 60, face.y + 14)
@@ -429,7 +358,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
     # -- places --------------------------------------------------------------------------------
 
     def _place(self, uid: str, exit: str | None = None) -> Place:
-        face = self._face(uid)
+        face = self.face(uid)
         return face.place if isinstance(face, Figure) else place_of(uid, exit, face)
 
     def _find(self, place: Place) -> tuple[str | None, str | None]:

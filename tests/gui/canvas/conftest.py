@@ -322,7 +322,7 @@ def agree(desk: Desk) -> None:
     canvas = desk.canvas
     graph, viewer = canvas.graph, canvas.viewer
     assert canvas.document is desk.document
-    picture = Projector().picture(canvas.document, canvas._problems, canvas._laid)
+    picture = Projector().picture(canvas.document, canvas._problems, canvas.positions.laid)
     cards: dict[str, Any] = {**picture.cards, **figures.shown(canvas.document, {})}
     links = picture.links
     # The model.

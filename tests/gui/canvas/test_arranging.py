@@ -23,7 +23,7 @@ SLEEPS = (sys.executable, "-c", "import signal; signal.pause()")
 @pytest.fixture
 def many(monkeypatch: pytest.MonkeyPatch) -> Application:
     """A way of states, all in one heap, and more than are arranged at once."""
-    monkeypatch.setattr("situ_studio.canvas.application.AT_ONCE", 5)
+    monkeypatch.setattr("situ_studio.canvas.positions.AT_ONCE", 5)
     return Application(
         name="many",
         states=tuple(
@@ -39,7 +39,7 @@ def many(monkeypatch: pytest.MonkeyPatch) -> Application:
 def made(desk: Callable[..., Any], many: Application, monkeypatch: pytest.MonkeyPatch) -> Any:
     """A desk whose layouts never end."""
     made = desk(many)
-    made.canvas._arranging._command = SLEEPS
+    made.canvas.positions.arranging._command = SLEEPS
     made.said = []
     made.canvas.status.connect(made.said.append)
     return made
@@ -63,11 +63,11 @@ def test_many_cards_are_arranged_as_few_are(
     desk: Callable[..., Any], many: Application, check: Callable[[Any], None]
 ) -> None:
     made = desk(many)
-    done = QSignalSpy(made.canvas._arranging.done)
+    done = QSignalSpy(made.canvas.positions.arranging.done)
     begun = QSignalSpy(made.canvas.work_begun)
     made.canvas.auto_layout()
     assert made.edits == []
-    assert begun.at(0) == ["Arranging 12 cards", made.canvas._arranging]
+    assert begun.at(0) == ["Arranging 12 cards", made.canvas.positions.arranging]
     assert done.count() or done.wait(PATIENCE)
     assert made.edits == ["Arrange all cards"]
     places = layout.arrange(many)
@@ -79,7 +79,7 @@ def test_the_window_answers_meanwhile_and_esc_cancels(
     made: Any, check: Callable[[Any], None]
 ) -> None:
     made.canvas.auto_layout()
-    (process,) = made.canvas._arranging._running
+    (process,) = made.canvas.positions.arranging._running
     assert process.waitForStarted(PATIENCE)
     made.hand.click(made.hand.body("12"))
     assert made.canvas.selection() == (("state", "12"),)
@@ -92,10 +92,10 @@ def test_the_window_answers_meanwhile_and_esc_cancels(
 
 def test_closing_the_canvas_ends_the_process(made: Any, qt: QApplication) -> None:
     made.canvas.auto_layout()
-    (process,) = made.canvas._arranging._running
+    (process,) = made.canvas.positions.arranging._running
     assert process.waitForStarted(PATIENCE)
     gone = QSignalSpy(process.finished)
-    made.canvas._arranging.deleteLater()
+    made.canvas.positions.arranging.deleteLater()
     assert gone.count() or gone.wait(PATIENCE)
 
 
@@ -103,7 +103,7 @@ def test_what_was_added_meanwhile_is_not_lost(made: Any, many: Application) -> N
     made.canvas.auto_layout()
     more = replace(many, states=(*many.states, State(no="99")))
     made.change(more)
-    made.canvas._arranging.done.emit(layout.arrange(many))
+    made.canvas.positions.arranging.done.emit(layout.arrange(many))
     assert made.document is more
     assert made.said == ["There are other cards now than those arranged: arrange them again"]
 

@@ -387,8 +387,8 @@ def saved_again(desk: Any) -> None:
     assert not problems
     assert isinstance(again, Application)
     assert codec.write(again) == data
-    seen = Projector().picture(again, canvas._problems, canvas._laid)
-    now = Projector().picture(document, canvas._problems, canvas._laid)
+    seen = Projector().picture(again, canvas._problems, canvas.positions.laid)
+    now = Projector().picture(document, canvas._problems, canvas.positions.laid)
     assert (seen.cards, seen.links) == (now.cards, now.links)
     assert figures.shown(again, {}) == figures.shown(document, {})
 
