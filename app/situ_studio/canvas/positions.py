@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from situ.document.rbd import Always as EveryState
-from situ.document.rbd import Application, State
+from situ.document.rbd import Always, Application, State
 from situ_studio.canvas import gestures, layout
 from situ_studio.canvas.arranging import Arranging
 from situ_studio.canvas.figuring import Figuring
