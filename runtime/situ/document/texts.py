@@ -11,6 +11,7 @@ from typing import Any
 
 import polib
 
+from situ.document.furigana import say_furigana
 from situ.document.japanese_numbers import say_numbers
 from situ.document.problem import Problem
 
@@ -41,18 +42,20 @@ def _is_used(entry: Any) -> bool:
 
 def read_out(text: str, words: Mapping[str, str], language: str) -> str:
     """A text as a voice of the language shall say it: each of the words, the longest first, as its
-    reading says; Japanese numbers as ``japanese_numbers`` does.
+    reading says; Japanese numbers as ``japanese_numbers`` does, and before all a word that has its
+    reading behind it as ``furigana`` does.
 
     Whole words only, in scripts that have blanks between words; a letter counts as it is written,
     great or small.
     """
+    japanese = re.split("[-_]", language.lower())[0] == "ja"
+    if japanese:
+        text = say_furigana(text)
     if words:
         longest = sorted(words, key=lambda word: (-len(word), word))
         pattern = re.compile("|".join(map(_whole, longest)))
         text = pattern.sub(lambda found: words[found[0]], text)
-    if re.split("[-_]", language.lower())[0] == "ja":
-        text = say_numbers(text)
-    return text
+    return say_numbers(text) if japanese else text
 
 
 def _whole(word: str) -> str:
