@@ -7,11 +7,12 @@ from pathlib import Path
 from typing import Any
 
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFrame, QScrollBar
 
 from situ_studio import places
+from situ_studio.panels.conditions import AddTest
 from situ_studio.vocabulary import Vocabulary
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -195,6 +196,7 @@ def test_a_condition_gets_and_loses_tests_and_groups(studio: Start, project: Cop
     editor.add("any")
     used.settle()
     editor.add("test", (0,))
+    editor.add("test", (0,))
     used.settle()
     until = value(used, "situation", "sound", file=SCRIPT).until
     assert until.children[0].kind == "any"
@@ -203,6 +205,64 @@ def test_a_condition_gets_and_loses_tests_and_groups(studio: Start, project: Cop
     editor.box(0, 0).removed.emit()
     used.settle()
     assert value(used, "situation", "sound", file=SCRIPT).until is None
+
+
+def test_a_group_in_a_group_begins_with_nothing_that_nobody_asked_for(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("conversation"))
+    used.window.open_file(SCRIPT)
+    used.select("situation", "sound")
+    editor = form(used).section("until").condition
+    before = used.session.document(SCRIPT)
+
+    def until() -> Any:
+        return value(used, "situation", "sound", file=SCRIPT).until
+
+    # Groups by keys alone: each is empty, and the cursor at what puts something into it.
+    editor.add("any")
+    used.settle()
+    for down in (2, 4):
+        plus = QApplication.focusWidget()
+        assert isinstance(plus, AddTest)
+        # The button's menu: a test, all, any, none.
+        QTimer.singleShot(0, lambda n=down: choose_in_menu(used, n))
+        QTest.keyClick(plus, Qt.Key.Key_Space)
+        used.settle()
+    assert editor.box(0, 0, 0).kind.currentText() == "none of these"
+    assert editor.box(0, 0, 0).empty.isVisible()
+    # Nothing of that is in the file, where a group without a test is an error.
+    assert used.session.document(SCRIPT) is before
+    assert used.session.undo_text is None
+    editor.add("test", (0, 0, 0))
+    used.settle()
+    (outer,) = until().children
+    assert [outer.kind, outer.children[0].kind] == ["any", "all"]
+    (inner,) = outer.children[0].children
+    assert inner.kind == "none"
+    assert [one.test for one in inner.children] == ["exists"]
+    # One that stays empty is forgotten when something else is looked at, not taken along.
+    editor.add("any", (0,))
+    used.settle()
+    assert editor.box(0, 1).empty.isVisible()
+    editor.box(0, 0, 0, 0).removed.emit()
+    used.settle()
+    assert until() is None
+    assert editor.box(0, 0).empty.isVisible()
+    used.select("situation", "conversation")
+    used.select("situation", "sound")
+    assert not form(used).section("until").condition.isVisible()
+    used.window.actions_.actions["undo"].trigger()
+    used.settle()
+    assert len(until().children) == 1
+
+
+def choose_in_menu(used: Any, down: int) -> None:
+    menu = QApplication.activePopupWidget()
+    assert menu is not None
+    for _ in range(down):
+        QTest.keyClick(menu, Qt.Key.Key_Down)
+    QTest.keyClick(menu, Qt.Key.Key_Return)
 
 
 def test_missing_is_a_test_of_its_own(studio: Start, project: Copy) -> None:

@@ -201,6 +201,7 @@ class Breakpoints(QWidget):
         """By a person, not because the rows are others now."""
         if not self._shows:
             self._chosen = None if self.current is None else point_of(self.current)
+            self.condition.give_up()
             self._show_condition()
 
     def _show_condition(self) -> None:

@@ -8,7 +8,7 @@ from typing import Any, Literal
 from msgspec.structs import replace
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAccessible
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QVBoxLayout, QWidget
 
 from situ.document.condition import Condition, Group, GroupName, Test
 from situ_studio.heard_as import hear_as
@@ -47,7 +47,8 @@ class GroupBox(QFrame):
         self.kind.offer(tuple((kind, translated(words)) for kind, words in GROUPS))
         self.kind.committed.connect(lambda kind: self.changed.emit(str(kind)))
         first.addWidget(self.kind, 1)
-        first.addWidget(AddTest(theme, self.added.emit))
+        self.plus = AddTest(theme, self.added.emit)
+        first.addWidget(self.plus)
         remove = IconButton(theme, "close", self.tr("Remove this group"), "text3", 12)
         remove.setFixedSize(px(18), px(18))
         remove.clicked.connect(self.removed)
@@ -62,12 +63,17 @@ class GroupBox(QFrame):
         inner.addWidget(line)
         self.members = QVBoxLayout()
         self.members.setSpacing(6)
+        self.empty = QLabel(self.tr("Nothing in it yet: add a test or a group."))
+        self.empty.setProperty("role", "hint")
+        self.empty.setWordWrap(True)
+        self.members.addWidget(self.empty)
         inner.addLayout(self.members, 1)
         column.addLayout(inner)
 
-    def show_kind(self, kind: GroupName) -> None:
-        self.kind.show_value(kind)
+    def show_group(self, group: Group) -> None:
+        self.kind.show_value(group.kind)
         self.setAccessibleName(self.kind.currentText())
+        self.empty.setVisible(not group.children)
 
 
 class AddTest(IconButton):
@@ -89,7 +95,11 @@ class AddTest(IconButton):
 
 
 class ConditionEditor(QWidget):
-    """All of a condition; tells the new one (None: no test is left) with words for the step."""
+    """All of a condition; tells the new one (None: no test is left) with words for the step.
+
+    A group that is added has nothing in it yet. A condition with such a group is none, so it
+    stands here only, until there is a test in it or the condition becomes another one elsewhere.
+    """
 
     changed = Signal(object, str)
     refused = Signal(str)
@@ -102,6 +112,8 @@ class ConditionEditor(QWidget):
         super().__init__(parent)
         self._theme, self._lasting = theme, lasting
         self._condition: Condition | None = None
+        self._begun: Condition | None = None
+        """The condition with the groups that are empty yet; None where none is."""
         self._vocabulary = Vocabulary()
         self._shape: Any = ()
         self._boxes: dict[Path, TestBox | GroupBox] = {}
@@ -111,13 +123,23 @@ class ConditionEditor(QWidget):
 
     def show_value(self, theme: Theme, condition: Condition | None, vocabulary: Vocabulary) -> None:
         self._condition, self._vocabulary = condition, vocabulary
-        children = condition.children if condition is not None else ()
+        if self._begun is not None and _told(self._begun) != condition:
+            self._begun = None
+        children = self._shown.children
         shape = (theme.name, _shape(children))
         if shape != self._shape:
             self._theme, self._shape = theme, shape
             self._rebuild(children)
         self._fill((), children)
         self.setVisible(bool(children))
+
+    def give_up(self) -> None:
+        """Something else is shown next: groups that are empty yet are forgotten."""
+        self._begun = None
+
+    @property
+    def _shown(self) -> Condition:
+        return self._begun or self._condition or Condition()
 
     def box(self, *path: int) -> TestBox | GroupBox:
         """The box at a path of positions; tests type into it."""
@@ -127,15 +149,24 @@ class ConditionEditor(QWidget):
         """Adds a test or a group of that kind at the end of the group at ``path``."""
         tags = self._vocabulary.tags
         test = Test(tags[0] if tags else "tag", "exists", "true")
-        new: Test | Group = test if kind == "test" else Group(kind, (test,))
-        condition = self._condition or Condition()
-        holder = _at(condition, path)
-        at = (*path, len(holder.children), *(() if kind == "test" else (0,)))
-        self.changed.emit(_insert(condition, path, new), self.tr("Add a test"))
+        new: Test | Group = test if kind == "test" else Group(kind, ())
+        at = (*path, len(_at(self._shown, path).children))
+        self._tell(_insert(self._shown, path, new), self.tr("Add a test"))
         box = self._boxes.get(at)
         if isinstance(box, TestBox):
             box.tag.setFocus(Qt.FocusReason.OtherFocusReason)
             box.tag.selectAll()
+        elif isinstance(box, GroupBox):
+            box.plus.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _tell(self, shown: Condition, text: str) -> None:
+        """Another condition; only what is in no empty group is told, and only where that is new."""
+        told = _told(shown)
+        self._begun = shown if told is None or told != shown else None
+        if told != self._condition:
+            self.changed.emit(told, text)
+        else:
+            self.show_value(self._theme, self._condition, self._vocabulary)
 
     def _rebuild(self, children: tuple[Test | Group, ...]) -> None:
         clear(self._layout)
@@ -167,19 +198,16 @@ class ConditionEditor(QWidget):
             if isinstance(child, Test) and isinstance(box, TestBox):
                 box.show_test(child, self._vocabulary)
             elif isinstance(child, Group) and isinstance(box, GroupBox):
-                box.show_kind(child.kind)
+                box.show_group(child)
                 self._fill((*path, index), child.children)
 
     def _regroup(self, path: Path, kind: Any) -> None:
-        group = _at(self._condition, path)
+        group = _at(self._shown, path)
         if isinstance(group, Group):
             self._put(path, replace(group, kind=kind), self.tr("Change a group"))
 
     def _put(self, path: Path, value: Test | Group | None, text: str) -> None:
-        if self._condition is None:
-            return
-        made = _exchange(self._condition, path, value)
-        self.changed.emit(made if made.children else None, text)
+        self._tell(_exchange(self._shown, path, value), text)
 
 
 def _shape(children: tuple[Test | Group, ...]) -> Any:
@@ -191,6 +219,22 @@ def _at(condition: Condition | None, path: Path) -> Any:
     for index in path:
         value = value.children[index]
     return value
+
+
+def _told(shown: Condition) -> Condition | None:
+    """The condition without what is empty in it; None where nothing is left."""
+
+    def filled(children: tuple[Test | Group, ...]) -> tuple[Test | Group, ...]:
+        kept: list[Test | Group] = []
+        for child in children:
+            if isinstance(child, Test):
+                kept.append(child)
+            elif inner := filled(child.children):
+                kept.append(child if inner == child.children else replace(child, children=inner))
+        return tuple(kept)
+
+    children = filled(shown.children)
+    return replace(shown, children=children) if children else None
 
 
 def _exchange(holder: Any, path: Path, value: Test | Group | None) -> Any:

@@ -130,7 +130,9 @@ class SectionEditor(QWidget):
     # -- showing -----------------------------------------------------------------
 
     def show_subject(self, subject: Subject) -> None:
-        self._subject = subject
+        before, self._subject = self._subject, subject
+        if self.condition is not None and before is not None and before.place != subject.place:
+            self.condition.give_up()
         value: Any = getattr(subject.value, self.section.attribute, None)
         theme, document = subject.theme, subject.document
         if self.preview is not None:
