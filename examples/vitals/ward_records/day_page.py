@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 
+from ward_records import unread
 from ward_records.day import ROUNDS, Medicine, Reminder
 from ward_records.forms import Entry, stood
 from ward_records.language import say
@@ -80,8 +81,9 @@ def _reminder(one: Reminder, open_: bool) -> str:
         room = say("room {0}").format(one.room)
         whom, what = (room, escape(one.what)) if open_ else (HIDDEN, HIDDEN)
     remove = removal(f"/reminders/{one.id}", what) if open_ else ""
+    note = unread.told(one.what) if open_ else ""
     return (
-        f"<tr><td>{one.begins}</td><td>{whom}</td><td>{what}</td>"
+        f"<tr><td>{one.begins}</td><td>{whom}</td><td>{what}{note}</td>"
         f"{_outcome(one.outcome, open_ or one.room is None)}<td>{remove}</td></tr>"
     )
 
@@ -133,7 +135,7 @@ def medicine_form(resident: int, medicines: Sequence[Medicine], entry: Entry) ->
     fields = "".join(
         f'<label for="{name}">{say(ROUND[name])}</label>'
         f'<input id="{name}" name="{name}" maxlength="200" '
-        f'value="{escape(entry.given.get(name, value))}">{stood(name, value)}'
+        f'value="{escape(entry.given.get(name, value))}">{stood(name, value)}{unread.told(value)}'
         for name, value in written(medicines).items()
     )
     return (

@@ -84,8 +84,7 @@ JAPANESE = {
     "Not added: {0}": "追加できませんでした：{0}",
     "every day": "毎日",
     "As the robot is to say it, with how to take it. Empty: nothing then.": (
-        "ロボットが話すとおりに、飲み方も入れてください。読めない漢字もあるので、かなが確実です。"
-        "空欄なら何も渡しません。"
+        "ロボットが話すとおりに、飲み方も入れてください。空欄なら何も渡しません。"
     ),
     "Save medicine": "薬を保存",
     "What the robot sees": "ロボットが見ているもの",
@@ -143,6 +142,9 @@ JAPANESE = {
         "入力した内容はそのまま残っています。もう一度保存すると、入力した内容に変わります。"
     ),
     "family or friends": "ご家族かお友達を選んでください",
+    "The robot can not read {0}: type behind it how it is said, as in 錠剤（じょうざい）.": (
+        "ロボットは{0}を読めません。錠剤（じょうざい）のように、後ろに読みを付けてください。"
+    ),
     "Saved.": "保存しました。",
     "Remove {0}?": "「{0}」を削除しますか。",
     "How the name is said, in kana": "お名前の読み（かな）",

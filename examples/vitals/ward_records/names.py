@@ -9,11 +9,12 @@ from __future__ import annotations
 import re
 import unicodedata
 
+from situ.document.furigana import KANJI
 from ward_records.errors import Unfit
 
 LONGEST = 80
 
-_KANJI = re.compile("[\u3005-\u3007\u3400-\u4dbf\u4e00-\u9fff\uf900-\ufaff\U00020000-\U0003ffff]+")
+_KANJI = re.compile(f"{KANJI}+")
 _LETTER = "[\u3041-\u3096\u30a1-\u30fa]"
 _KANA = re.compile(f"{_LETTER}(?:{_LETTER}|[\u30fc\u30fb ])*")
 _UNICODE_NAME = re.compile(r"(?:HIRAGANA|KATAKANA) LETTER (SMALL )?(\w+)")
