@@ -37,7 +37,8 @@ def test_the_nurse_is_told_of_medicine_and_of_messages(store: Store, jack: Resid
         assert "Saved." in kept
         assert "The robot can not read 鼈甲: type behind it" in kept
         assert "can not read" not in await given(medicine, morning="鼈甲（べっこう）を")
-        assert "can not read 鼈甲" in await given("/reminders", begins="10:30", what="鼈甲です")
+        message = {"begins": "10:30", "what": "鼈甲です", "whom": ""}
+        assert "can not read 鼈甲" in await given("/reminders", **message)
 
     over_http(store, asking, "a-nurse")
 
@@ -57,8 +58,10 @@ def test_on_a_japanese_page_it_is_told_in_japanese(store: Store, jack: Resident)
 def test_who_sees_nothing_private_is_told_nothing_of_it(store: Store) -> None:
     async def asking(session: aiohttp.ClientSession) -> None:
         await session.get("/", params={"token": "a-nurse"})
-        await session.post("/reminders", data={"begins": "10:30", "what": "鼈甲です"})
+        message = {"begins": "10:30", "what": "鼈甲です", "whom": ""}
+        await session.post("/reminders", data=message)
         await session.get("/", params={"token": "a-visitor"})
-        assert "can not read" not in await (await session.get("/today")).text()
+        shown = await (await session.get("/today")).text()
+        assert ("鼈甲です" in shown, "can not read" in shown) == (True, False)
 
     over_http(store, asking)
