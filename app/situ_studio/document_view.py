@@ -267,6 +267,13 @@ class DocumentView(QWidget):
         if self._document is not None:
             self._tell(set(self._view.pieces))
 
+    def bring_selected(self) -> None:
+        """Moves each piece that is shown as far as needed so that what is selected is seen."""
+        for name in self._view.pieces if self.selected else ():
+            bring = getattr(self._made(name), "bring_into_view", None)
+            if bring is not None:
+                bring(self.selected)
+
     def _tell(self, names: set[str]) -> None:
         """Tells the selection to these pieces now, to those that are hidden when they come."""
         self._fresh &= set(self._view.pieces)

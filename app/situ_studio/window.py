@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QSettings, Signal
+from PySide6.QtCore import QEvent, QSettings, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QApplication
 
@@ -259,6 +259,8 @@ class MainWindow(Frame):
         view = self.current_view
         if view is not None:
             view.set_mode(mode)
+            # Once its pieces have their sizes.
+            QTimer.singleShot(0, view, view.bring_selected)
             self.tabs.views.show_choice(view.shown_as)
             view.current_view().setFocus()
             self.panels.settle_selection()

@@ -413,6 +413,14 @@ class MatrixView(QWidget):
     def zoom_to(self, chosen: tuple[Place, ...]) -> None:
         """Brings the rows and columns of these places into view."""
         self.select(chosen)
+        self.bring_into_view(chosen)
+
+    def bring_into_view(self, chosen: tuple[Place, ...]) -> None:
+        """Scrolls to the first row, else column, of what is selected; of priorities to theirs."""
+        current = self.table.currentIndex()
+        if any(place[2:3] == ("entry",) for place in chosen) and current.isValid():
+            self.table.scrollTo(current)
+            return
         rows, columns = self.table.cells.rows, self.table.cells.columns
         if rows:
             self.table.scrollTo(
