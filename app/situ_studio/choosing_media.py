@@ -11,12 +11,13 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, QPoint
 
 from situ.document import rbd
+from situ.document.names import is_name, is_reserved
 from situ.errors import UsageError
 from situ_studio import kinds, places, words
 from situ_studio.edit import Document, Place
 from situ_studio.insert import NotHere, insert
 from situ_studio.screens import media_import
-from situ_studio.screens.media_picker import MediaPicker
+from situ_studio.screens.media_picker import MediaPicker, names_data
 from situ_studio.screens.media_rows import IMPORT
 from situ_studio.screens.state_screen import lying
 
@@ -28,7 +29,8 @@ EVERY = (*media_import.PICTURES, *media_import.MOVIES, *media_import.SOUNDS)
 
 class ChoosingMedia(QObject):
     """What needs a file is made once the file is chosen: without one there is nothing, no step
-    and no error. Where the project has no file that fits, one from elsewhere is asked for at once.
+    and no error. Where the project has no file that fits, one from elsewhere is asked for at once,
+    but where data names the file now: then data is offered.
     """
 
     def __init__(self, window: MainWindow) -> None:
@@ -100,11 +102,13 @@ class ChoosingMedia(QObject):
 
         endings = media_import.ENDINGS[kind]
         names = [one for one in media_import.names_of(project) if one.lower().endswith(endings)]
-        if not names:
+        if not names and not names_data(now):
             self._import(kind, done)
             return
         home = media_import.home_of(project)
-        picker = self.picker = MediaPicker(kind, names, home, window.theme, window, now)
+        known = window.vocabulary(document).tags
+        tags = [tag for tag in known if is_name(tag) and not is_reserved(tag)]
+        picker = self.picker = MediaPicker(kind, names, home, window.theme, window, now, tags)
         picker.chosen.connect(lambda key: self._take(key, kind, done))
         picker.closed.connect(self._on_closed)
         middle = window.mapToGlobal(window.rect().center() - picker.rect().center())

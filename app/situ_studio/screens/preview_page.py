@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt, Signal
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QLineEdit, QWidget
+from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
 
 from situ.decide.screens import Shown
 from situ.decide.values import in_text
@@ -83,7 +84,7 @@ class PreviewPage(ScreenPreview):
             if isinstance(one, rbd.List):
                 count = len(self._shown(one.id)["items"] or ())
                 found += [(one, at) for at in range(count)]
-            elif isinstance(one, rbd.Button | rbd.Input) or getattr(one, "done", None):
+            elif isinstance(one, rbd.Button | rbd.Input) or _ends(one):
                 found.append((one, -1))
         return found
 
@@ -133,8 +134,10 @@ class PreviewPage(ScreenPreview):
         match component:
             case rbd.Button():
                 self._do(lambda: walk.press(component))
-            case rbd.Movie():
+            case rbd.Movie(failed=None):
                 self._do(lambda: walk.end(component))
+            case rbd.Movie():
+                self._ask_how(component, self.area(target))
             case rbd.List():
                 entry: Any = self._shown(component.id)["items"][at]["value"]
                 self._do(lambda: walk.choose(component, entry))
@@ -143,6 +146,21 @@ class PreviewPage(ScreenPreview):
                 self._open_field(component)
             case _:
                 pass
+
+    def _ask_how(self, movie: rbd.Movie, area: QRectF) -> None:
+        """A movie that says what happens where it can not be played: well or badly?"""
+        walk = self.walk
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        for words, event, then in (
+            (self.tr("The movie ends"), movie.done, walk.end),
+            (self.tr("The movie can not be played"), movie.failed, walk.fail),
+        ):
+            chosen = menu.addAction(f"{words}  ›  {walk.leads(event)}")
+            chosen.triggered.connect(partial(self._do, partial(then, movie)))
+        at = self.mapToGlobal(area.center().toPoint())
+        menu.popup(at - QPoint(menu.sizeHint().width() // 2, 0))
+        menu.setActiveAction(menu.actions()[0])
 
     def _do(self, what: Callable[[], None]) -> None:
         what()
@@ -249,3 +267,8 @@ class PreviewPage(ScreenPreview):
         painter.setPen(QPen(LIGHT.color("accent"), 3))
         painter.drawRoundedRect(self.area(every[self._at]).adjusted(-3, -3, 3, 3), 8, 8)
         painter.end()
+
+
+def _ends(component: rbd.Component) -> bool:
+    """Whether it is a movie whose end, good or bad, raises something."""
+    return isinstance(component, rbd.Movie) and bool(component.done or component.failed)

@@ -101,6 +101,19 @@ class Walk:
         """The movie ends, which does not play here."""
         self._use(movie.done, None)
 
+    def fail(self, movie: rbd.Movie) -> None:
+        """The movie can not be played, which nobody tries here either."""
+        self._use(movie.failed, None)
+
+    def leads(self, event: str | None) -> str:
+        """Where an event would lead from here, in words."""
+        found = self._expected(event) if event is not None else None
+        if found is None:
+            return tr("nothing happens")
+        if found.next is None:
+            return tr("stays here")
+        return words.leads_to(self.application, found.next)
+
     def touch(self) -> None:
         """A touch on no component: the state's event goes before that of Always."""
         always = self.application.always_in(self.state) if self.state is not None else None
@@ -113,7 +126,8 @@ class Walk:
         """What else leads on from here than what can be pressed: each event with where it leads;
         the time that runs out is "".
         """
-        pressed = {getattr(one, "event", None) or getattr(one, "done", None) for one in self.seen}
+        raised = ("event", "done", "failed")
+        pressed = {getattr(one, name, None) for one in self.seen for name in raised}
         found: dict[str, str] = {}
         for one in self._events():
             if one.name and one.name not in pressed and one.next is not None:

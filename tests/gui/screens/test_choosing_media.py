@@ -69,7 +69,7 @@ def test_a_dropped_picture_is_asked_for_and_lies_where_it_was_dropped(
 def test_escape_leaves_nothing(table: Table, step: Callable[[], str]) -> None:
     before, last = table.document, step()
     assert table.drop("movie", table.at(40, 40))
-    assert rows(table.used) == ["Import a file…", "clip.webm"]
+    assert rows(table.used) == ["Import a file…", "From data…", "clip.webm"]
     table.used.key(Qt.Key.Key_Escape)
     assert picker(table.used) is None
     assert table.document is before
@@ -77,6 +77,7 @@ def test_escape_leaves_nothing(table: Table, step: Callable[[], str]) -> None:
     # The same where an import is given up, and by a click beside it.
     table.drop("movie", table.at(40, 40))
     table.used.answers.put("media_file", None)
+    table.used.key(Qt.Key.Key_Up)
     table.used.key(Qt.Key.Key_Up)
     table.used.key(Qt.Key.Key_Return)
     table.drop("movie", table.at(40, 40))
@@ -117,7 +118,7 @@ def test_by_keys_from_the_menu_it_is_typed_to_filter_and_filled_in(table: Table)
     table.used.select("state", "11")
     table.used.window.actions_.actions["insert.sound"].trigger()
     table.settle()
-    assert rows(table.used) == ["Import a file…", "chime.wav"]
+    assert rows(table.used) == ["Import a file…", "From data…", "chime.wav"]
     table.used.key(Qt.Key.Key_Return)
     assert table.document.state("11").actions[-1].src == "chime.wav"
 
@@ -129,6 +130,48 @@ def test_what_no_file_is_can_be_typed(table: Table) -> None:
         assert rows(table.used) == ["Import a file…", f"Use {typed}"]
         table.used.key(Qt.Key.Key_Return)
         assert table.components[-1].src == typed
+
+
+def test_data_that_names_a_picture_is_offered_not_asked_for_as_a_file(table: Table) -> None:
+    used = table.used
+    table.drop("image", table.at(50, 50))
+    # By the row that leads there, and typed to filter: data of this project, none of the robot's.
+    for row in range(picker(used).list.count()):
+        if picker(used).list.item(row).text() == "From data…":
+            at = picker(used).list.visualItemRect(picker(used).list.item(row)).center()
+    QTest.mouseClick(picker(used).list.viewport(), LEFT, pos=at)
+    assert "{user.name}" in rows(used)
+    assert not [one for one in rows(used) if "/" in one]
+    used.type("user.")
+    assert all("user." in one for one in rows(used)[1:])
+    used.type("na")
+    # Half a name is nothing that could be used.
+    assert rows(used) == ["Import a file…", "{user.name}"]
+    used.key(Qt.Key.Key_Return)
+    made = table.components[-1]
+    assert made.src == "{user.name}"
+    # Asked again, the data stands there, whether there are pictures in the project or not.
+    for name in (used.session.root / "media").iterdir():
+        name.unlink()
+    used.window.media_choice.change(("state", "11", "screen", made.id), "src")
+    used.settle()
+    assert picker(used).list.currentItem().text() == "{user.name}"
+    assert "{patients}" in rows(used)
+    used.key(Qt.Key.Key_Down)
+    used.key(Qt.Key.Key_Return)
+    after = table.components[-1].src
+    assert after.startswith("{")
+    assert after != "{user.name}"
+    # A name that is data in part can be used as it is, or written over.
+    used.window.media_choice.change(("state", "11", "screen", made.id), "src")
+    used.settle()
+    used.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    used.type("people/{patient.id}.png")
+    used.key(Qt.Key.Key_Return)
+    used.window.media_choice.change(("state", "11", "screen", made.id), "src")
+    used.settle()
+    assert picker(used).list.currentItem().text() == "Use people/{patient.id}.png"
+    used.key(Qt.Key.Key_Escape)
 
 
 def test_enter_or_a_double_click_on_a_picture_asks_for_another(table: Table) -> None:

@@ -216,3 +216,50 @@ def test_the_preview_is_used_by_keys_alone(used: Used) -> None:
     used.settle()
     assert used.walk.no == "4"
     assert used.walk.values["user.initial.x"] == "K"
+
+
+def test_a_movie_that_says_what_happens_where_it_can_not_be_played_is_tried_both_ways(
+    used: Used,
+) -> None:
+    movie = rbd.Movie(id="intro", **BOX, src="{film}", done="seen", failed="dark")
+    plain = rbd.Movie(id="end", **BOX, src="b.webm", done="over")
+    silent = rbd.Movie(id="ad", **BOX, src="c.webm")
+    first = state("1", movie, events=(to("seen", "2"), to("dark", "3")))
+    third = rbd.State(no="3", name="sorry", screen=rbd.Screen(components=(plain, silent)))
+    used.application = rbd.Application(name="a", states=(first, state("2"), third))
+    used.open("1")
+    # Neither is offered under *Go on*: both are a press away.
+    assert used.walk.others() == ()
+    used.click("intro")
+    menu = next(m for m in used.window.findChildren(QMenu) if m.isVisible())
+    assert [one.text() for one in menu.actions()] == [
+        "The movie ends  ›  state 2",
+        "The movie can not be played  ›  3 sorry",
+    ]
+    QTest.keyClick(menu, Qt.Key.Key_Escape)
+    used.settle()
+    assert used.walk.no == "1"
+    used.click("intro")
+    menu = next(m for m in used.window.findChildren(QMenu) if m.isVisible())
+    failed = menu.actions()[1]
+    QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(failed).center())
+    used.settle()
+    assert used.walk.no == "3"
+    assert used.window.said.text().startswith("dark leads to 3 sorry")
+    # One that only ends does so at once; of one that raises nothing there is nothing to press.
+    assert [one.id for one, _ in used.window.page.targets()] == ["end"]
+    used.click("end")
+    assert used.window.said.text() == "over is not expected here: nothing happens."
+    QTest.mouseClick(used.window.back, LEFT)
+    used.settle()
+    # By keys alone.
+    page = used.window.page
+    page.setFocus()
+    QTest.keyClick(page, Qt.Key.Key_Tab)
+    QTest.keyClick(page, Qt.Key.Key_Return)
+    used.settle()
+    menu = next(m for m in used.window.findChildren(QMenu) if m.isVisible())
+    QTest.keyClick(menu, Qt.Key.Key_Return)
+    used.settle()
+    assert used.walk.no == "2"
+    assert used.window.said.text().startswith("seen leads to state 2")
