@@ -154,13 +154,14 @@ class ColumnDelegate(QStyledItemDelegate):
             shown, token = ("pause", "warning") if row.stands else (sign, row.kind)
             _icon(painter, shown, QPointF(left, rect.center().y() - 7), 14, theme.color(token))
             left += 22
-        if row.since:
-            # Times stand below each other; a state has little room.
-            wide = self._small.advance(row.since) + 8
-            self._small.draw(painter, row.since, right, rect, theme.color("text3"), ends=True)
-            right -= max(wide, SINCE if row.kind == "data" else 0)
         said = self._plain if row.faint or row.pill else self._strong
         title, taken = self._plain.advance(row.title), self._taken(row, said)
+        if row.since:
+            # Times stand below each other; a state has little room, and its name goes before.
+            wide = self._small.advance(row.since) + 8
+            if row.kind == "data" or title + 8 + taken <= right - left - wide:
+                self._small.draw(painter, row.since, right, rect, theme.color("text3"), ends=True)
+                right -= max(wide, SINCE if row.kind == "data" else 0)
         room = right - left
         wanted = min(float(taken), max(room - title - 8, room * SHARE))
         box = QRectF(right - wanted, rect.y(), wanted, rect.height())

@@ -47,9 +47,9 @@ class SituationCard(QFrame):
         line = QHBoxLayout()
         line.setSpacing(8)
         line.addWidget(IconLabel(theme, "situation", "situation", 18))
-        self.name = Words(theme, SECTION, 600)
+        self.name = Words(theme, SECTION, 600, least=LABEL)
         line.addWidget(self.name, 1)
-        self.place = Words(theme, CAPTION, token="situation", wide=64)
+        self.place = Words(theme, CAPTION, token="situation", wide=0)
         line.addWidget(self.place)
         column.addLayout(line)
         self.parts = [_Part(theme) for _ in range(TESTS)]
@@ -74,7 +74,9 @@ class SituationCard(QFrame):
             return
         before, self._told = self._told, told
         self.name.show_words(told.name)
-        self.place.show_words(told.place)
+        if told.place != self.place.words:
+            self.place.show_words(told.place)
+            self.place.fit()
         for number, part in enumerate(self.parts):
             shown = number < len(told.parts)
             if shown:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QStaticText
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QStaticText
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from situ_studio.letters import px
@@ -15,7 +15,8 @@ from situ_studio.theme import Theme, face, font
 class Words(QWidget):
     """One line, ending with … where it does not fit; its size never depends on what it says.
 
-    size, weight, token: how it is written. wide: px; None: what there is.
+    size, weight, token: how it is written. wide: px; None: what there is. least: the size
+    in which it is written where it would not fit.
     """
 
     def __init__(
@@ -25,10 +26,11 @@ class Words(QWidget):
         weight: int = 400,
         token: str = "text",
         wide: int | None = None,
+        least: float | None = None,
     ) -> None:
         super().__init__()
         self.theme, self._token = theme, token
-        self._font = font(size, weight)
+        self._fonts = [font(one, weight) for one in (size, least) if one is not None]
         self._right = wide is not None
         self.words = ""
         self.setFixedHeight(px(round(size) + 5))
@@ -44,9 +46,17 @@ class Words(QWidget):
             self.setAccessibleName(words)
             self.update()
 
+    def fit(self) -> None:
+        """It is as wide as what it says: for what seldom says something else."""
+        self.setFixedWidth(self._needs(self._fonts[0]) + 1)
+
+    def _needs(self, font: QFont) -> int:
+        return QFontMetrics(font).horizontalAdvance(self.words)
+
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.setFont(self._font)
+        fits = (one for one in self._fonts if self._needs(one) <= self.width())
+        painter.setFont(next(fits, self._fonts[-1]))
         painter.setPen(self.theme.color(self._token))
         side = Qt.AlignmentFlag.AlignRight if self._right else Qt.AlignmentFlag.AlignLeft
         shown = painter.fontMetrics().elidedText(

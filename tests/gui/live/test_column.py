@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QAccessible, QContextMenuEvent
+from PySide6.QtCore import QPoint, QRectF, Qt
+from PySide6.QtGui import QAccessible, QContextMenuEvent, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from tests.gui.live.test_link import connect
@@ -17,9 +17,10 @@ from tests.gui.live.test_recordings import opened, until_shown
 import situ
 from situ.document import condition
 from situ.document.spds import Situation, Spds
+from situ_studio.letters import px
 from situ_studio.live.column import MomentColumn
-from situ_studio.live.column_list import ColumnDelegate
-from situ_studio.live.column_rows import PartTold, Telling
+from situ_studio.live.column_list import ROW, ColumnDelegate
+from situ_studio.live.column_rows import ColumnRow, PartTold, Telling
 from situ_studio.live.moment import Entry, Moment
 
 LEFT = Qt.MouseButton.LeftButton
@@ -146,6 +147,29 @@ def test_of_tests_without_room_it_is_told_what_is_known(
     assert told is not None
     assert [part.holds for part in told.parts[:3]] == [True] * 3
     assert told.parts[3:] == (PartTold(words, holds),)
+
+
+def test_the_name_of_the_situation_and_of_a_state_go_before_what_stands_beside_them(
+    looked: tuple[Any, MomentColumn], at: Callable[[float], None]
+) -> None:
+    it, column = looked
+    at(1.0)
+    name, place = column.card.name, column.card.place
+    assert name.words == "conversation"
+    # In smaller letters it fits, though not in its own.
+    assert name._needs(name._fonts[0]) > name.width() >= name._needs(name._fonts[1])
+    assert place._needs(place._fonts[0]) <= place.width()
+
+    def drawn(since: str) -> QImage:
+        row = ColumnRow("state", "converse", "converse", "6 goodbye now", since, "live")
+        image = QImage(200, px(ROW), QImage.Format.Format_RGB32)
+        image.fill(it.window.theme.color("panel"))
+        painter = QPainter(image)
+        ColumnDelegate(it.window.theme, column.states)._row(painter, QRectF(image.rect()), row)
+        painter.end()
+        return image
+
+    assert drawn("13 s") == drawn("")
 
 
 def test_hands_and_keys_go_to_what_a_row_is_about(

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QPainter, QWheelEvent
+from PySide6.QtGui import QImage, QPainter, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from tests.gui.live.test_log import told
@@ -15,8 +15,10 @@ from tests.gui.live.test_timeline import LEFT, SHIFT, place
 
 from situ_studio.live.log import TraceLog
 from situ_studio.live.timeline import drawing, painting
+from situ_studio.live.timeline.axis import TimeAxis
 from situ_studio.live.timeline.bookmarks import Bookmarks
 from situ_studio.live.timeline.chart import TimelineChart
+from situ_studio.live.timeline.cursor import CursorPainter
 from situ_studio.live.timeline.drawn import blocks
 from situ_studio.live.timeline.painting import NAMED
 from situ_studio.live.timeline.panel import Timeline
@@ -215,6 +217,29 @@ def test_how_much_is_seen_is_told_in_the_unit_that_people_would_take(
     timeline.chart.zoom(seconds / timeline.chart.axis.seen)
     assert timeline.seen.text() == words
     timeline.deleteLater()
+
+
+def test_the_moment_that_is_followed_is_seen_whenever_it_is_drawn(qt: Any) -> None:
+    """Its clock goes on from the moment that the rows end at it to the one that they are drawn."""
+    viewing, axis = Viewing(TraceLog()), TimeAxis()
+    viewing.log.add(entered(0.0, 40.0))
+    axis.width = 300.0
+
+    def drawn(end: float) -> QImage:
+        viewing.show(viewing.log, lambda: end)
+        image = QImage(400, 60, QImage.Format.Format_RGB32)
+        image.fill(Qt.GlobalColor.white)
+        painter = QPainter(image)
+        CursorPainter(axis, LIGHT, viewing).paint(painter, image.size(), ())
+        painter.end()
+        return image
+
+    axis.end_at(40.0)
+    at_once = drawn(40.0)
+    blank = QImage(at_once)
+    blank.fill(Qt.GlobalColor.white)
+    assert at_once != blank
+    assert drawn(40.3) == at_once
 
 
 def test_shift_and_an_arrow_go_a_second_on_or_back_wherever_events_are(

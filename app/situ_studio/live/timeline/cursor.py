@@ -30,6 +30,9 @@ class CursorPainter:
     def paint(self, painter: QPainter, size: QSize, rows: Sequence[Placed]) -> None:
         """Over everything else."""
         viewing, t = self.viewing, self.viewing.t
+        if viewing.follows:
+            # Its clock has gone on since the rows were laid to end at it.
+            t = min(t, self.axis.end)
         if viewing.grows and not viewing.follows:
             self._moment(painter, size, viewing.span[1], tr("now"), "live")
         token = "live" if viewing.follows else "accent"
