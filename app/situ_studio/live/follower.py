@@ -276,7 +276,8 @@ class Follower(QObject):
         if self.same is None:
             return ""
         if self.same:
-            return self.tr(", same as the robot")
+            recorded = self._recording is not None
+            return self.tr(", same as it ran") if recorded else self.tr(", same as the robot")
         recording, own = self._recording, self._window.live_project()
         theirs = recording.project if recording is not None else self._link.state.project
         if own is not None and theirs and theirs != own.name:

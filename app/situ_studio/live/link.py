@@ -34,7 +34,16 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-NOT_ASKED = "the robot was lost meanwhile and is not asked again: see how it is now, and ask anew"
+
+QUIET = 4.0
+"""Seconds after which it is said that nobody answers, should the address be wrong."""
+
+
+def not_asked() -> str:
+    """What is said of a hand's request whose robot was lost before it was answered."""
+    return tr(
+        "The robot was lost meanwhile and is not asked again: see how it is now, and ask anew."
+    )
 
 
 class LinkState(Struct, frozen=True):
@@ -70,7 +79,10 @@ class LinkState(Struct, frozen=True):
         if self.kind == "lost":
             return tr("lost {0} s ago").format(round(now - self.since))
         if self.kind == "connecting":
-            return tr("connecting to {0}").format(self.endpoint)
+            if now < self.since + QUIET:
+                return tr("connecting to {0}").format(self.endpoint)
+            waited = lasting(float(round(now - self.since)))
+            return tr("nobody answers at {0} for {1}; still trying").format(self.endpoint, waited)
         return self.why if self.kind == "refused" else tr("no robot")
 
 
@@ -206,12 +218,12 @@ class RobotLink(QObject):
         Where it was this window that stood still it is carried out once.
         """
         if not self.connected:
-            refused(self.tr("No robot is connected."))
+            refused(self._not_there())
             return
 
         def kept(dialog: Dialog) -> Call[T]:
             call = begin(dialog)
-            call.otherwise = Unreachable(NOT_ASKED)
+            call.otherwise = Unreachable(not_asked())
             return call
 
         self.ask(asker, kept, answered, refused)
@@ -239,7 +251,7 @@ class RobotLink(QObject):
         the link to the next one.
         """
         if self._link is None:
-            refused(self.tr("No robot is connected."))
+            refused(self._not_there())
             return
         call = begin(self._link.dialog)
 
@@ -255,6 +267,13 @@ class RobotLink(QObject):
 
         call.then(done)
         self._timer.start(0)
+
+    def _not_there(self) -> str:
+        if self.state.kind == "lost":
+            return self.tr(
+                "The robot does not answer. It is looked for; ask again once it is there."
+            )
+        return self.tr("No robot is connected.")
 
     # -- the loop ------------------------------------------------------------
 

@@ -21,7 +21,7 @@ from situ_studio.edit import Place
 from situ_studio.language import said
 from situ_studio.live.breaking import KeptBreakpoints, Point, everywhere, point_of, points_at
 from situ_studio.live.breakpoints import Breakpoints
-from situ_studio.live.link import NOT_ASKED
+from situ_studio.live.link import not_asked
 from situ_studio.live.moment import ApplicationMoment
 from situ_studio.live.raising_dialog import offers
 from situ_studio.live.views import runs_of
@@ -333,7 +333,7 @@ class OperatingSide(QObject):
         """Whether the robot is the one that a question was about; if not, that is said."""
         still = self._link.connected and self._link.found == found
         if not still:
-            self._refused(NOT_ASKED)
+            self._refused(not_asked())
         return still
 
     def _go_to_breakpoint(self, key: str) -> None:

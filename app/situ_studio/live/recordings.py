@@ -92,9 +92,12 @@ class ReadingRecording(QObject):
         self.path = path
         try:
             self._file = path.open("rb")
-            self._size = max(path.stat().st_size, 1)
+            self._size = path.stat().st_size
         except OSError as error:
             self._refuse(f"{path}: {error.strerror or error}")
+            return
+        if not self._size:
+            self._refuse(tr("{0} is empty: the robot has written nothing into it.").format(path))
             return
         self._pieces = recorded.pieces(self._file, str(path))
         self._slices.start()

@@ -150,7 +150,17 @@ def test_an_address_where_nobody_answers_is_tried_and_can_be_given_up(
     it.answers.put("robot", "tcp://127.0.0.1:9")
     it.window.setFocus()
     it.key(Qt.Key.Key_R, CONTROL)
-    assert it.window.status.link.text() == "connecting to tcp://127.0.0.1:9"
+    link, status = it.window.robot.link, it.window.status.link
+    assert status.text() == "connecting to tcp://127.0.0.1:9"
+    # It may be a wrong address; whoever waits is told so.
+    clock = link._link.clock
+    link._link.clock = lambda: clock() + 75.0
+    it.window.robot.follower.refresh()
+    assert status.text().startswith("nobody answers at tcp://127.0.0.1:9 for 7")
+    assert status.text().endswith(" s; still trying")
+    refusals: list[str] = []
+    link.set(it.window, {"x": 1}, refusals.append)
+    assert refusals == ["No robot is connected."]
     it.window.disconnect_robot()
     assert it.window.status.link.text() == "no robot"
 

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QToolButton
 
 from situ.blackboard.client import connect as operator
 from situ.blackboard.protocol import LEASE
-from situ_studio.live.link import NOT_ASKED
+from situ_studio.live.link import not_asked
 from situ_studio.live.setting_dialog import Setting
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -252,7 +252,7 @@ def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_bac
     it.answers.put("setting", Setting("spo2", 97))
     operating.set_value()
     assert len(refusals) == 5
-    assert refusals[-1] == window.status.said.text() == NOT_ASKED
+    assert refusals[-1] == window.status.said.text() == not_asked()
     link.set(window, {"last": 2}, refusals.append)
     until(link.moment_changed, lambda: "last" in link.log.now.board)
     assert "spo2" not in link.log.now.board

@@ -136,6 +136,7 @@ def test_what_is_no_recording_is_refused_in_one_line(
     assert len(said) == 1
     assert "\n" not in said[0]
     assert "x.mcap" in said[0]
+    assert ("is empty" in said[0]) == (content == b"")
 
 
 @pytest.mark.parametrize(
@@ -217,7 +218,7 @@ def test_every_view_shows_the_moment_under_the_cursor(
     until_shown(it)
     viewing = robot.follower.viewing
     assert "run.mcap" in it.window.status.link.text()
-    assert "same as the robot" in it.window.status.link.text()
+    assert ", same as it ran" in it.window.status.link.text()
     sound = next(e for e in events if e["kind"] == "situation" and e["to"] == "sound")
     viewing.seek(sound["t"])
     script = "conversation.spds.xml"
