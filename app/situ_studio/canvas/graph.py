@@ -8,7 +8,7 @@ gesture left behind. NodeGraphQt's undo is not used.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from itertools import compress, filterfalse
+from itertools import compress, count, filterfalse
 from operator import is_not
 from typing import Any, TypeVar
 
@@ -22,6 +22,9 @@ from situ_studio.canvas.viewer import Viewer
 
 LinkId = tuple[str, ...]
 K = TypeVar("K")
+
+FEW = 8
+"""Keys that come or go in one edit, mostly."""
 
 
 class Graph(NodeGraph):
@@ -290,7 +293,22 @@ class Graph(NodeGraph):
 
 def differing(before: Mapping[K, Any], now: Mapping[K, Any]) -> tuple[list[K], list[K]]:
     """The keys that are gone, and those whose value is not the very object that it was."""
-    if list(before) == list(now):
-        return [], list(compress(now, map(is_not, before.values(), now.values())))
+    old, new, was, here = [*before], [*now], [*before.values()], [*now.values()]
+    gone: list[K] = []
+    fresh: list[K] = []
+    # All keys but a few are mostly the same ones in the same order: side by side they are compared
+    # in a fifth of the time that looking each up takes.
+    for _ in range(FEW):
+        if old == new:
+            return gone, [*fresh, *compress(new, map(is_not, was, here))]
+        at = next(compress(count(), map(is_not, old, new)), min(len(old), len(new)))
+        if at < len(old) and old[at] not in now:
+            gone.append(old.pop(at))
+            del was[at]
+        elif at < len(new) and new[at] not in before:
+            fresh.append(new.pop(at))
+            del here[at]
+        else:
+            break
     gone = [*filterfalse(now.__contains__, before)]
     return gone, [*compress(now, map(is_not, map(before.get, now), now.values()))]
