@@ -38,7 +38,7 @@ def test_the_nurse_is_told_of_medicine_and_of_messages(store: Store, jack: Resid
         assert "The robot can not read 鼈甲: type behind it" in kept
         assert "can not read" not in await given(medicine, morning="鼈甲（べっこう）を")
         message = {"begins": "10:30", "what": "鼈甲です", "whom": ""}
-        assert "can not read 鼈甲" in await given("/reminders", **message)
+        assert "10:30: The robot can not read 鼈甲" in await given("/reminders", **message)
 
     over_http(store, asking, "a-nurse")
 

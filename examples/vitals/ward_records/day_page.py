@@ -65,11 +65,13 @@ def today(
         if told
         else f"<p>{say('Nothing is to be told today.')}</p>"
     )
+    # In the table it would be a column of single words on a telephone.
+    notes = "".join(unread.told(one.what, f"{one.begins}: ") for one in reminders if open_)
     form = _new(residents, entry) if open_ else ""
     body = (
         f'<p><a href="/">{say("Ward")}</a></p><h1>{say("Today")}</h1>'
         f"<h2>{say('Medicine')}</h2>{medicine}"
-        f"<h2>{say('What the robot tells')}</h2>{listed}{form}"
+        f"<h2>{say('What the robot tells')}</h2>{listed}{notes}{form}"
     )
     return framed("Today", body)
 
@@ -81,9 +83,8 @@ def _reminder(one: Reminder, open_: bool) -> str:
         room = say("room {0}").format(one.room)
         whom, what = (room, escape(one.what)) if open_ else (HIDDEN, HIDDEN)
     remove = removal(f"/reminders/{one.id}", what) if open_ else ""
-    note = unread.told(one.what) if open_ else ""
     return (
-        f"<tr><td>{one.begins}</td><td>{whom}</td><td>{what}{note}</td>"
+        f"<tr><td>{one.begins}</td><td>{whom}</td><td>{what}</td>"
         f"{_outcome(one.outcome, open_ or one.room is None)}<td>{remove}</td></tr>"
     )
 

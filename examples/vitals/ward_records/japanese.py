@@ -74,7 +74,7 @@ JAPANESE = {
     "Nobody is given anything.": "薬の予定はありません。",
     "What the robot tells": "ロボットが伝えること",
     "At": "時刻",
-    "For": "伝える相手",
+    "For": "相手",
     "Message": "内容",
     "Nothing is to be told today.": "今日伝えることはありません。",
     "all": "全員",

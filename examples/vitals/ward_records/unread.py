@@ -21,15 +21,16 @@ def unread(text: str, words: Mapping[str, str]) -> list[str]:
     return list(dict.fromkeys(re.findall(f"{KANJI}+", read_out(text, words, "ja"))))
 
 
-def told(text: str) -> str:
-    """That to the nurse, as HTML, with how to mend it; nothing where all can be read."""
+def told(text: str, of: str = "") -> str:
+    """That to the nurse, as HTML, with how to mend it; nothing where all can be read. of: what it
+    is about, where that is not clear."""
     found = unread(text, _of_the_project())
     if not found:
         return ""
     said = say(
         "The robot can not read {0}: type behind it how it is said, as in 錠剤（じょうざい）."
     )
-    return f'<p class="unread">{escape(said.format("、".join(found)))}</p>'
+    return f'<p class="unread">{escape(of + said.format("、".join(found)))}</p>'
 
 
 @cache
