@@ -64,6 +64,7 @@ QPushButton[role="filled"]:disabled {{ background: {hover}; border-color: {line}
   color: {text3}; }}
 QPushButton[role="mend"] {{ border-color: {accent_line}; color: {accent}; font-size: 12px;
   padding: 0 8px; min-height: 20px; border-radius: 5px; }}
+QPushButton[role="mend"]:disabled {{ border-color: {line}; color: {text3}; }}
 QPushButton[role="bare"], QToolButton[role="bare"] {{ border: 1px solid transparent;
   background: transparent; border-radius: 6px; padding: 0; color: {text2}; }}
 QPushButton[role="bare"]:hover, QToolButton[role="bare"]:hover {{ background: {hover}; }}

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from situ_studio import icons
 from situ_studio.announcing import CurrentRow
 from situ_studio.letters import enlarged, px
+from situ_studio.panels.empty import EmptyHint
 from situ_studio.panels.lists import PLACE, AnyIndex
 from situ_studio.search import Hit, Hits
 from situ_studio.theme import Theme, face
@@ -105,6 +106,14 @@ class Finding(QWidget):
         self.list.activated.connect(lambda index: self.chosen.emit(index.data(PLACE)))
         self.list.installEventFilter(self)
         column.addWidget(self.list, 1)
+        self.hint = EmptyHint(
+            self.list,
+            self.tr(
+                "Write a word or a name: every place of the project in which it stands is listed "
+                "here, and Enter goes there."
+            ),
+        )
+        self.field.textChanged.connect(lambda text: self.hint.want(not text.strip()))
 
     def set_theme(self, theme: Theme) -> None:
         self._delegate.theme = theme

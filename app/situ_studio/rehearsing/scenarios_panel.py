@@ -9,6 +9,7 @@ from situ.rehearse.coverage import Coverage, Seen
 from situ.rehearse.suite import Failed, Played
 from situ_studio.icon_widgets import ThemedButton, retheme
 from situ_studio.language import said, tr
+from situ_studio.panels.empty import EmptyHint
 from situ_studio.panels.table import Row, RowsTable
 from situ_studio.rehearsing.scenario_run import Ran, ScenarioRun
 from situ_studio.theme import Theme
@@ -60,6 +61,14 @@ class ScenariosPanel(QWidget):
         )
         self.table.when_chosen(self._on_chosen)
         column.addWidget(self.table, 1)
+        self.hint = EmptyHint(
+            self.table,
+            self.tr(
+                "A scenario is what people and sensors do, and what shall happen then. Run all "
+                "plays those of this project. A new one is a rehearsal that is saved: press "
+                "Rehearse, do what people would do, and then Save as a scenario."
+            ),
+        )
         self.clear()
 
     def clear(self) -> None:
@@ -134,4 +143,4 @@ def _lacking(coverage: Coverage) -> list[Seen]:
 
 
 def _lack_row(key: str, seen: Seen) -> Row:
-    return Row(key, (tr("none"), tr("never reached"), "", seen.label))
+    return Row(key, (tr("no scenario"), tr("never reached"), "", seen.label))
