@@ -11,7 +11,6 @@ from datetime import UTC, datetime
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from msgspec import Struct
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
 from shiboken6 import isValid
@@ -20,9 +19,9 @@ from situ.decide.clock import CLOCK
 from situ.errors import BlackboardError, Unreachable
 from situ.rehearse.clock import Hidden
 from situ_studio.language import tr
-from situ_studio.lasting import lasting
 from situ_studio.live.clock_seen import is_clock
 from situ_studio.live.delay import Delays
+from situ_studio.live.link_state import LinkState
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
 
@@ -35,55 +34,11 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
-QUIET = 4.0
-"""Seconds after which it is said that nobody answers, should the address be wrong."""
-
-
 def not_asked() -> str:
     """What is said of a hand's request whose robot was lost before it was answered."""
     return tr(
         "The robot was lost meanwhile and is not asked again: see how it is now, and ask anew."
     )
-
-
-class LinkState(Struct, frozen=True):
-    """What the status bar says, always honestly.
-
-    kind: ``none`` (no robot), ``connecting``, ``live``, ``lost`` or ``refused``.
-    since: seconds of the link's clock when it became so. behind: seconds between the
-    last event at the robot and here; None before the first. apart: as ``Delay.apart``.
-    looks_only: whether the robot takes nothing from us but questions.
-    """
-
-    kind: str = "none"
-    endpoint: str = ""
-    project: str = ""
-    since: float = 0.0
-    behind: float | None = None
-    apart: float = 0.0
-    why: str = ""
-    looks_only: bool = False
-
-    def words(self, now: float) -> str:
-        """As a designer reads it, at ``now`` of the link's clock."""
-        if self.kind == "live":
-            told = tr("live")
-            if self.behind is not None:
-                told = tr("live, {0} ms behind").format(round(self.behind * 1000))
-            if self.apart:
-                words = tr("{0}, its clock is {1} ahead")
-                if self.apart > 0:
-                    words = tr("{0}, its clock is {1} late")
-                told = words.format(told, lasting(abs(self.apart)))
-            return tr("{0}, you can look only").format(told) if self.looks_only else told
-        if self.kind == "lost":
-            return tr("lost {0} s ago").format(round(now - self.since))
-        if self.kind == "connecting":
-            if now < self.since + QUIET:
-                return tr("connecting to {0}").format(self.endpoint)
-            waited = lasting(float(round(now - self.since)))
-            return tr("nobody answers at {0} for {1}; still trying").format(self.endpoint, waited)
-        return self.why if self.kind == "refused" else tr("no robot")
 
 
 class RobotLink(QObject):
