@@ -46,9 +46,12 @@ _KNOWN = ("This plugin does not support", "QFont::setPixelSize")
 
 
 @pytest.fixture(scope="session")
-def qt() -> QApplication:
+def qt() -> Iterator[QApplication]:
     """The one QApplication, as the studio makes it."""
-    return main.application()
+    made = main.application()
+    yield made
+    # The offscreen platform would let go of what was copied after Python's end, and crash.
+    made.clipboard().clear()
 
 
 @pytest.fixture(autouse=True, scope="module")

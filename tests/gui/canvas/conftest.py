@@ -38,14 +38,6 @@ LEFT = Qt.MouseButton.LeftButton
 NONE = Qt.KeyboardModifier.NoModifier
 
 
-@pytest.fixture(scope="session")
-def qt() -> QApplication:
-    found = QApplication.instance()
-    app = found if isinstance(found, QApplication) else QApplication([])
-    theme.load_fonts()
-    return app
-
-
 class Hand:
     """Mouse and keys on a canvas. Points are scene points unless they say otherwise."""
 
