@@ -147,7 +147,7 @@ class Status(QStatusBar):
         if selected == (("always",),):
             self.selection.setText(self.tr("“In every state” selected"))
             return
-        kinds = {p[0] if len(p) == 2 else p[-2] for p in selected if len(p) >= 2}
+        kinds = {_sort(place) for place in selected if len(place) >= 2}
         one, many = self._names(kinds.pop() if len(kinds) == 1 else "")
         text = count(len(selected), one, many)
         self.selection.setText(self.tr("{0} selected").format(text))
@@ -157,6 +157,9 @@ class Status(QStatusBar):
         every = {
             "state": (self.tr("{0} state"), self.tr("{0} states")),
             "event": (self.tr("{0} event"), self.tr("{0} events")),
+            "action": (self.tr("{0} action"), self.tr("{0} actions")),
+            "screen": (self.tr("{0} screen"), self.tr("{0} screens")),
+            "component": (self.tr("{0} component"), self.tr("{0} components")),
             "timeout": (self.tr("{0} timeout"), self.tr("{0} timeouts")),
             "situation": (self.tr("{0} situation"), self.tr("{0} situations")),
             "module": (self.tr("{0} module"), self.tr("{0} modules")),
@@ -245,3 +248,12 @@ def _leading(part: State | Always) -> int:
     """How many transitions leave it."""
     events = sum(event.next is not None for event in part.events)
     return events + bool(part.timeout is not None and part.timeout.next)
+
+
+def _sort(place: tuple[str, ...]) -> str:
+    """What stands at a place: ``state``, ``event``, ``component``."""
+    if len(place) == 2 and place[1] not in ("screen", "timeout"):
+        return place[0]
+    if place[-1] in ("screen", "timeout"):
+        return place[-1]
+    return "component" if place[-2] == "screen" else place[-2]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -79,6 +80,8 @@ class Inspector(QWidget):
         self._title = Elided("", "subject")
         line.addWidget(self._title, 1)
         self._pill = QLabel()
+        self._what = ("", "")
+        """What is selected, in whole and short."""
         self._pill.setProperty("role", "pill")
         line.addWidget(self._pill, 0, Qt.AlignmentFlag.AlignVCenter)
         self.usages = IconButton(theme, "search", self.tr("Find usages"), "text3", 14)
@@ -179,7 +182,7 @@ class Inspector(QWidget):
         icon, tint, name, what = words.title(document, place)
         self._icon.set_icon(icon, tint)
         self._title.setText(name)
-        self._pill.setText(what)
+        self._what = (what, translated(kind.title))
         pill = str(kind.tint) if kind.tint != "state" else tint
         if self._pill.property("pill") != pill:
             self._pill.setProperty("pill", pill)
@@ -187,6 +190,7 @@ class Inspector(QWidget):
             self._pill.style().polish(self._pill)
         self._pill.show()
         self._back.setVisible(len(place) > 2 or (place[:1] == ("always",) and len(place) > 1))
+        self._fit_pill()
         self.told.show_problems(tuple(p for p in problems if p.place == place))
         self._subject = Subject(
             document=document,
@@ -199,6 +203,24 @@ class Inspector(QWidget):
             device=self._device,
         )
         self._form.show_subject(self._subject)
+
+    def _fit_pill(self) -> None:
+        """What it is, shorter where its name would be cut."""
+        whole, short = self._what
+        self._pill.setText(whole)
+        self._pill.ensurePolished()
+        wanted = self._title.fontMetrics().horizontalAdvance(self._title.text())
+        others = [self._icon, self._pill, self.usages]
+        if self._back.isVisibleTo(self):
+            others.append(self._back)
+        taken = sum(min(one.sizeHint().width(), one.maximumWidth()) + 8 for one in others)
+        if wanted > self.width() - taken - 20:
+            self._pill.setText(short)
+        self._pill.setToolTip(whole if self._pill.text() != whole else "")
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit_pill()
 
     def look_at(self, device: Device) -> None:
         """What is told of sizes is that of this screen."""

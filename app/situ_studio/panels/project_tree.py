@@ -200,7 +200,7 @@ class ProjectTree(QWidget):
         item.setData((icon, token), ICON)
         item.setData(str(count), COUNT)
         item.setData(tuple((m, m) for m in marks), MARKS)
-        item.setText(stem(file) + (" *" if dirty else ""))
+        item.setText(stem(file) + (" •" if dirty else ""))
         heard = [stem(file), _kind(document, part), self.tr("not saved") if dirty else ""]
         heard += [tr("has an error")] * ("error" in marks) or [tr("has a warning")] * bool(marks)
         item.setAccessibleText(", ".join(one for one in heard if one))

@@ -80,7 +80,7 @@ class ProjectDrawer(ApplicationDrawer, ScriptDrawer, ValuesFiller, Translator):
         assert isinstance(tree, QTreeView)
         top = tree.model().index(0, 0)
         rows = [tree.model().index(row, 0, top) for row in range(tree.model().rowCount(top))]
-        index = next(row for row in reversed(rows) if str(row.data()).removesuffix(" *") == name)
+        index = next(row for row in reversed(rows) if str(row.data()).removesuffix(" •") == name)
         port = tree.viewport()
         for _ in range(len(rows)):
             spot = tree.visualRect(index).center()
