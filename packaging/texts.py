@@ -52,7 +52,7 @@ def gathered() -> Iterator[tuple[str, str]]:
     for command in actions.COMMANDS:
         for text in (*_shown(command), *command.menu.split("/")):
             yield "actions", text
-    for keys in (shortcuts.CANVAS, keyboard.KEYS):
+    for keys in (shortcuts.CANVAS, shortcuts.TREE, keyboard.KEYS):
         for pair in keys:
             for text in pair:
                 yield "actions", text

@@ -27,6 +27,12 @@ CANVAS: tuple[tuple[str, str], ...] = (
 )
 """What a canvas does with keys by itself (``canvas.base``), with what a person reads."""
 
+TREE: tuple[tuple[str, str], ...] = (
+    ("F2", "Rename the application of the row"),
+    ("Del", "Delete the application of the row"),
+)
+"""What the project's tree does with keys (``application_files``), with what a person reads."""
+
 
 def rows(keys_of: Mapping[str, list[QKeySequence]]) -> Iterator[tuple[str, str, str]]:
     """Heading, keys and words of every key, in the table's order."""
@@ -36,6 +42,9 @@ def rows(keys_of: Mapping[str, list[QKeySequence]]) -> Iterator[tuple[str, str, 
     for keys, text in CANVAS:
         canvas = QCoreApplication.translate("actions", "On the canvas")
         yield canvas, translated(keys), translated(text)
+    for keys, text in TREE:
+        tree = QCoreApplication.translate("actions", "In the project's tree")
+        yield tree, translated(keys), translated(text)
     for keys, text in KEYS:
         screen = QCoreApplication.translate("actions", "On the screen of a state")
         yield screen, translated(keys), translated(text)

@@ -13,6 +13,7 @@ from PySide6.QtGui import QContextMenuEvent, QInputMethodEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from tests.gui.test_adding_to_a_project import open_menu, press
+from tests.gui.test_recovery import crash
 
 from situ.document import folder
 from situ.document.check import check, merge
@@ -433,3 +434,25 @@ def test_the_menu_of_a_row_is_about_that_row_by_mouse_and_by_key(ward: Any) -> N
     assert "Delete application…" not in [one.text() for one in menu.actions()]
     menu.close()
     ward.settle()
+
+
+def test_after_a_crash_another_name_is_offered_again_in_all_files(
+    ward: Any, studio: Start, tmp_path: Path
+) -> None:
+    choose(ward, "night.rbd.xml")
+    ward.key(Qt.Key.Key_F2)
+    write(ward, "late")
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    crash(ward)
+    used = studio(tmp_path)
+    used.session.throw_away = Basket()
+    used.click(used.window.recovered.buttons[0])
+    used.session.check_now()
+    assert [p.message for p in used.session.problems if p.severity == "error"] == []
+    do(used, "save")
+    assert errors(tmp_path) == []
+    assert list(folder.load(tmp_path)[0].applications) == ["a.rbd.xml", "late.rbd.xml"]
+    assert '"application": "late"' in (tmp_path / "scenarios" / "first.jsonl").read_text()
+    # What it was called before is not known any more: its file stays, and nothing is lost.
+    assert (tmp_path / "night.rbd.xml").read_text() == NIGHT

@@ -17,6 +17,8 @@ KEYS: tuple[tuple[str, str], ...] = (
     ("Tab, Shift+Tab", "The next component, the one before"),
     ("Arrows", "Move the selected components by 1 %, with Shift by 10 %"),
     ("Alt+arrows, Ctrl+arrows", "Make them larger or smaller by 1 %, with Shift by 10 %"),
+    ("Tab behind the last component", "The guides, one after the other"),
+    ("Arrows, Del on a guide", "Move it by 1 %, with Shift by 10 %, with Alt by 0.1 %; remove it"),
     ("F2", "Write the component's text where it stands"),
     ("A letter", "Write another text"),
     ("Enter", "To the form of the component"),
