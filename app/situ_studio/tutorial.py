@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from msgspec import Struct
 from PySide6.QtCore import QPoint, QSettings, QSize, Qt, QUrl
@@ -132,7 +133,7 @@ class TutorialPages(QTextBrowser):
 
 
 def _pieces(block: QTextBlock) -> list[QTextFragment]:
-    return [at.fragment() for at in block]
+    return [at.fragment() for at in cast(Iterable[Any], block)]
 
 
 class TutorialWindow(QWidget):
@@ -144,6 +145,7 @@ class TutorialWindow(QWidget):
     def __init__(self, page: Path, theme: Theme, settings: QSettings, parent: QWidget) -> None:
         super().__init__(parent, Qt.WindowType.Tool)
         self._settings = settings
+        self.step = 0
         self.steps = steps(page.read_text(encoding="utf-8"))
         self.setProperty("role", "help")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -174,7 +176,6 @@ class TutorialWindow(QWidget):
         self.next.clicked.connect(lambda: self.show_step(self.step + 1))
         foot.addWidget(self.next)
         column.addLayout(foot)
-        self.step = 0
         self.show_step(int(str(settings.value(STEP, 0))))
         kept = settings.value(GEOMETRY)
         if kept is None or not self.restoreGeometry(kept):

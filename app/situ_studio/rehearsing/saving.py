@@ -38,6 +38,7 @@ class SavingScenario(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(px(460), 460)
         column = QVBoxLayout(self)
+        column.setContentsMargins(24, 24, 24, 24)
         column.setSpacing(8)
         column.addWidget(self._label(self.tr("Name")))
         self.name = QLineEdit()
@@ -73,6 +74,8 @@ class SavingScenario(QDialog):
         buttons.accepted.connect(self._save)
         buttons.rejected.connect(self.reject)
         column.addWidget(buttons)
+        self.keep.setProperty("role", "filled")
+        self.keep.setDefault(True)
         self._settle()
 
     @property
