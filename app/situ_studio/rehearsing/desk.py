@@ -93,6 +93,8 @@ class Desk(OverScroll):
         self._section(column, self.tr("People say")).addLayout(self._people)
         self._data = self._section(column, self.tr("Data"))
         self._askers = self._section(column, self.tr("Modules"))
+        for rows in (self._actions, self._people):
+            _show(rows, False)
         column.addStretch(1)
         self.setWidget(body)
 

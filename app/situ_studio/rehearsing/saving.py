@@ -70,11 +70,11 @@ class SavingScenario(QDialog):
         column.addWidget(self.why)
         buttons = QDialogButtonBox()
         self.keep = buttons.addButton(self.tr("Save"), QDialogButtonBox.ButtonRole.AcceptRole)
+        self.keep.setProperty("role", "filled")
         buttons.addButton(self.tr("Cancel"), QDialogButtonBox.ButtonRole.RejectRole)
         buttons.accepted.connect(self._save)
         buttons.rejected.connect(self.reject)
         column.addWidget(buttons)
-        self.keep.setProperty("role", "filled")
         self.keep.setDefault(True)
         self._settle()
 

@@ -8,7 +8,9 @@ from typing import Any
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
 
+from situ_studio.projects import new_project
 from situ_studio.rehearsing.saving import SavingScenario
 
 
@@ -41,6 +43,19 @@ def test_it_is_ended_in_the_toolbar_while_it_runs(
     used.click(button)
     assert window.rehearsing.running is None
     assert not button.isVisible()
+
+
+def test_where_nobody_can_say_anything_nothing_is_told_of_what_people_say(
+    studio: Callable[..., Any], tmp_path: Path
+) -> None:
+    used = studio(new_project(tmp_path, "silent", "empty"))
+    used.window.rehearsing.rehearse()
+    used.settle()
+    desk = used.window.rehearsing.desk
+    seen = {label.text() for label in desk.findChildren(QLabel) if label.isVisible()}
+    assert "People say" not in seen
+    assert desk.isVisible()
+    used.window.rehearsing.end()
 
 
 def test_a_click_on_a_row_chooses_what_shall_happen_again(desk: Any) -> None:
