@@ -7,7 +7,7 @@ from itertools import compress
 from operator import is_not
 
 from PySide6.QtCore import QEvent, QTimer, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QStatusBar, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QStatusBar, QWidget
 
 import situ
 from situ.document.rbd import Always, Application, State
@@ -16,7 +16,7 @@ from situ_studio.announcing import Announcements
 from situ_studio.edit import Document
 from situ_studio.help_texts import PANELS, helped
 from situ_studio.help_topics import HELP
-from situ_studio.icon_widgets import IconLabel, ThemedButton
+from situ_studio.icon_widgets import Elided, IconLabel, ThemedButton
 from situ_studio.letters import px
 from situ_studio.theme import Theme
 from situ_studio.working import WorkStrip
@@ -57,10 +57,10 @@ class Status(QStatusBar):
         self.warnings = self._button(theme, "warning", "warning")
         line.addWidget(self.warnings)
         self.addWidget(left)
-        self.said = QLabel()
+        self.said = Elided()
         self.addWidget(self.said, 1)
         self.selection = QLabel()
-        self.counts = QLabel()
+        self.counts = _GivingWay()
         right = QWidget()
         end = QHBoxLayout(right)
         end.setContentsMargins(0, 0, 12, 0)
@@ -219,6 +219,17 @@ class Status(QStatusBar):
             self.saved.setText(self.tr("Saved {0}").format(f"{at:%H:%M}"))
         else:
             self.saved.setText(self.tr("No changes"))
+
+
+class _GivingWay(Elided):
+    """Has the room that it needs where there is some; its tip is what helps with it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
+
+    def _tell(self) -> None:
+        """Nothing of what has no room: it is known elsewhere."""
 
 
 class SteadyLabel(QLabel):

@@ -191,7 +191,8 @@ class Telling:
 
     def tags(self, moment: Moment, found: str = "") -> list[str]:
         """What the current situation rests on, then what else the script observes, then what else
-        the project has set. found: only those whose names have it.
+        the project has set; of what the situation does not rest on, what is not set last. found:
+        only those whose names have it.
         """
         board = list(moment.board)
         if (board, moment.situation) != self._named:
@@ -201,7 +202,9 @@ class Telling:
             others = sorted({*board} - {BREAKPOINTS, PAUSED})
             others = [tag for tag in others if not kept_by_runtime(tag)]
             rests = known.rests if known is not None else ()
-            self._tags = list(dict.fromkeys((*rests, *observed, *others)))
+            # What nobody has set says little, unless the situation rests on it.
+            every = sorted((*observed, *others), key=lambda tag: entry_of(moment, tag) is None)
+            self._tags = list(dict.fromkeys((*rests, *every)))
         if not found:
             return self._tags
         return [tag for tag in self._tags if found.casefold() in tag.casefold()]

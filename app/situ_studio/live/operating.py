@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QSizePolicy
 
 from situ.decide.expected import Expectation
 from situ.document import when_text
@@ -18,6 +18,7 @@ from situ.rehearse.ways import frames
 from situ_studio import places
 from situ_studio.context_menus import context_of
 from situ_studio.edit import Place
+from situ_studio.icon_widgets import Elided
 from situ_studio.language import said
 from situ_studio.live.breaking import KeptBreakpoints, Point, everywhere, point_of, points_at
 from situ_studio.live.breakpoints import Breakpoints
@@ -48,9 +49,8 @@ class OperatingSide(QObject):
         super().__init__(window)
         self._window = window
         self._link = link = window.robot.link
-        self.waiting = QLabel()
-        self.waiting.setAccessibleName(self.tr("Where the robot is paused"))
-        self.waiting.setProperty("role", "medium")
+        self.waiting = Elided(role="medium")
+        self.waiting.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
         self.waiting.hide()
         window.status.insertWidget(1, self.waiting)
         self.panel = Breakpoints(window.theme, window.robot.state_name)

@@ -125,3 +125,30 @@ def test_what_the_link_is_has_room_and_the_bar_is_not_laid_out_for_each_moment_o
             it.settle()
             assert 0 <= label.width() - label.sizeHint().width() <= px(SLACK)
     it.window.commands.close_recording()
+
+
+def test_whatever_is_said_of_a_robot_what_is_saved_is_never_pushed_out_of_the_window(
+    studio: Callable[..., Any], project: Callable[[str], Path]
+) -> None:
+    it = studio(project("conversation"))
+    status, window = it.window.status, it.window
+
+    def end() -> int:
+        return int(status.saved.mapTo(window, status.saved.rect().topRight()).x())
+
+    counts = status.counts.width()
+    assert counts >= status.counts.sizeHint().width()
+    for words in ("live, 0 ms behind, its clock is 5 min ahead, differs here", "no robot"):
+        status.show_link("link", words, "true")
+        window.operating.waiting.setText("converse is paused at 2 sleep, at breakpoint 1, " * 5)
+        window.operating.waiting.show()
+        status.say("nothing waits in converse: raise an event, or let it go on")
+        it.settle()
+        assert end() < window.width()
+        assert status.saved.width() >= status.saved.sizeHint().width()
+        assert status.link.width() >= status.link.sizeHint().width()
+    # Who can not read it all has it in a tip.
+    assert window.operating.waiting.toolTip() == window.operating.waiting.text()
+    window.operating.waiting.hide()
+    it.settle()
+    assert status.counts.width() == counts
