@@ -295,12 +295,12 @@ def test_a_name_that_is_nearly_expected_was_meant() -> None:
         (
             state("1", GO, event("f", "1")),
             "This button raises “go”, but no state expects it: add an expected event",
-            "“1”",
+            "state 1",
         ),
         (
             state("1", GO, event("f", "2")) + state("2", "<screen/>", event("go", "1")),
             "but the state “1” does not expect it: add",
-            "“1”",
+            "state 1",
         ),
         (
             f"<always>{GO}</always>"
@@ -309,22 +309,22 @@ def test_a_name_that_is_nearly_expected_was_meant() -> None:
             "but none of the states “1”, “2”, “3” and 2 more expects it",
             "every state",
         ),
-        (state("1", screen(touched="go"), event("f", "1")), "A touch on this screen", "“1”"),
+        (state("1", screen(touched="go"), event("f", "1")), "A touch on this screen", "state 1"),
         (
             state("1", acts('<speech failed="go">a</speech>'), event("f", "1")),
             "The failure of this speech",
-            "“1”",
+            "state 1",
         ),
         (
             state("1", "<timeout>5</timeout>", event("f", "1")),
             "let the timeout lead to a state",
-            "“1”",
+            "state 1",
         ),
         (
             state("1", "", event("f", "2", '<message topic="t" done="go"/>'))
             + state("2", "", event("g", "1")),
             "The end of this message",
-            "“2”",
+            "state 2",
         ),
     ],
 )

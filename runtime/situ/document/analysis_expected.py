@@ -276,7 +276,7 @@ class _Expected:
         if raiser.place[0] != "always" or holder is None:
             place, holder = ("state", level.state.no), level.state
         path = (*self._search.path(raiser.file, place), "events", len(holder.events))
-        where = "every state" if place == ("always",) else words.quoted(level.state.no)
+        where = "every state" if place == ("always",) else f"state {words.state(level.state)}"
         said = f"Expect {words.quoted(raiser.name)} in {where}"
         return self._search.mend(
             raiser.file, said, Change(path, "insert", written(Event(name=raiser.name)))
