@@ -10,6 +10,7 @@ from PySide6.QtGui import QContextMenuEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QTabBar, QWidget
 
 from situ_studio import icons
+from situ_studio.announcing import soon
 from situ_studio.icon_widgets import IconButton
 from situ_studio.letters import px
 from situ_studio.menus import translated
@@ -141,7 +142,9 @@ class DocumentTabs(QFrame):
         self.bar.currentChanged.connect(self._on_current)
         self.bar.close_asked.connect(lambda index: self._ask_to_close(self.bar.tabData(index)))
         self.bar.menu_asked.connect(self._on_menu)
-        self.bar.resized.connect(self._settle_all)
+        # Within a layout that is being made it would be shown and hidden at once, and be neither.
+        self._overflowing = soon(self, self._settle_all)
+        self.bar.resized.connect(self._overflowing.start)
         line.addWidget(self.bar, 0, Qt.AlignmentFlag.AlignBottom)
         self.all = IconButton(theme, "down", self.tr("All open documents"), "text2", 14)
         self.all.clicked.connect(self._show_all)

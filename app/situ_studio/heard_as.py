@@ -19,11 +19,11 @@ ROLE = "heard_as"
 
 
 def hear_as(
-    widget: QWidget, role: QAccessible.Role, press: Callable[[], object] | None = None
+    widget: QWidget, role: QAccessible.Role, press: Callable[[Any], object] | None = None
 ) -> None:
     """To be said before anybody asks for the widget, whose name and description stay its own.
 
-    press: what Enter does there.
+    press: what Enter does there; it gets the widget, and holds none.
     """
     application = QCoreApplication.instance()
     if application is not None and not application.property(INSTALLED):
@@ -35,11 +35,9 @@ def hear_as(
 class HeardWidget(QAccessibleWidget):
     """Qt's own, with another role, and with what can be done."""
 
-    def __init__(
-        self, widget: QWidget, role: QAccessible.Role, press: Callable[[], object] | None
-    ) -> None:
+    def __init__(self, widget: QWidget, role: QAccessible.Role) -> None:
         super().__init__(widget, role, "")
-        self._widget, self._press = widget, press
+        # Qt keeps this as long as it likes: the widget is asked for, and not held.
         self._actions = PartActions(self)
 
     def interface_cast(self, kind: QAccessible.InterfaceType) -> Any:
@@ -49,10 +47,14 @@ class HeardWidget(QAccessibleWidget):
 
     def do(self, name: str) -> None:
         """``Press`` is Enter, ``SetFocus`` a click that does nothing more."""
+        widget = self.object()
+        if not isinstance(widget, QWidget):
+            return
+        _, press = getattr(widget, ROLE)
         if name == QAccessibleActionInterface.setFocusAction():
-            self._widget.setFocus()
-        elif name == QAccessibleActionInterface.pressAction() and self._press is not None:
-            self._press()
+            widget.setFocus()
+        elif name == QAccessibleActionInterface.pressAction() and press is not None:
+            press(widget)
 
 
 def _factory(name: str, watched: QObject) -> Any:
@@ -60,6 +62,6 @@ def _factory(name: str, watched: QObject) -> Any:
     if told is None or not isinstance(watched, QWidget):
         return None
     # Kept by what it speaks for: Qt holds no reference.
-    spoken_as = HeardWidget(watched, *told)
+    spoken_as = HeardWidget(watched, told[0])
     watched.spoken_as = spoken_as  # type: ignore[attr-defined]
     return spoken_as

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible
 from PySide6.QtPrintSupport import QPrintPreviewDialog, QPrintPreviewWidget
 from PySide6.QtWidgets import QComboBox, QGraphicsView, QLineEdit, QToolButton
 
+from situ_studio.heard_as import hear_as
 from situ_studio.language import tr
 from situ_studio.named_box import label_unseen
 
@@ -20,10 +22,10 @@ def reach_by_keys(dialog: QPrintPreviewDialog) -> None:
         if button.objectName() == EXTENSION:
             button.setAccessibleName(tr("More"))
     for shown in dialog.findChildren(QPrintPreviewWidget):
-        # The pages in it take the keys.
-        shown.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-    for pages in dialog.findChildren(QGraphicsView):
-        pages.setAccessibleName(tr("Pages"))
+        for pages in shown.findChildren(QGraphicsView):
+            pages.setAccessibleName(tr("Pages"))
+            hear_as(pages, QAccessible.Role.Canvas)
+            shown.setFocusProxy(pages)
     for size in dialog.findChildren(QComboBox):
         size.setAccessibleName(tr("Size"))
         label_unseen(size, tr("Size"))

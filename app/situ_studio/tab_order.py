@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from PySide6.QtCore import QPoint, QRect, Qt
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
 
 REASONS = {1: Qt.FocusReason.TabFocusReason, -1: Qt.FocusReason.BacktabFocusReason}
 
@@ -32,9 +32,15 @@ def reading_order(areas: Sequence[QRect]) -> list[int]:
 
 def stops(panel: QWidget) -> list[QWidget]:
     """The widgets of a panel at which Tab stops, as one reads."""
-    found = [w for w in (panel, *panel.findChildren(QWidget)) if _stops_at(w)]
+    every = [w for w in (panel, *panel.findChildren(QWidget)) if _stops_at(w)]
+    # What scrolls is one only where nothing in it is: it lies beside all that it holds.
+    found = [w for w in every if not (isinstance(w, QScrollArea) and _holds(w, every))]
     areas = [QRect(w.mapTo(panel, QPoint()), w.size()) for w in found]
     return [found[i] for i in reading_order(areas)]
+
+
+def _holds(widget: QWidget, others: Iterable[QWidget]) -> bool:
+    return any(widget.isAncestorOf(other) for other in others)
 
 
 def _stops_at(widget: QWidget) -> bool:
@@ -79,4 +85,14 @@ def _focus(every: Sequence[QWidget], here: int, way: int) -> bool:
         return False
     at = here + way if here >= 0 else (0 if way > 0 else -1)
     every[at % len(every)].setFocus(REASONS[way])
+    _bring(QApplication.focusWidget())
     return True
+
+
+def _bring(widget: QWidget | None) -> None:
+    """It is seen: what scrolls does that by itself only where the focus was in it before."""
+    around = widget.parentWidget() if widget is not None else None
+    while widget is not None and around is not None:
+        if isinstance(around, QScrollArea):
+            around.ensureWidgetVisible(widget)
+        around = around.parentWidget()

@@ -36,7 +36,7 @@ class SituationCard(QFrame):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("role", "situation")
-        hear_as(self, QAccessible.Role.Button, self.chosen.emit)
+        hear_as(self, QAccessible.Role.Button, lambda card: card.chosen.emit())
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self._told: SituationTold | None = None

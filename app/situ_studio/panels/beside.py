@@ -6,12 +6,14 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from situ.document import rbd
 from situ.document.problem import Problem
 from situ_studio import words
 from situ_studio.edit import Place
+from situ_studio.heard_as import hear_as
 from situ_studio.layouts import clear
 from situ_studio.letters import px
 from situ_studio.screens.sheet import Sheet
@@ -45,6 +47,7 @@ class ScreenBeside(QScrollArea):
     ) -> None:
         super().__init__(parent)
         self.setAccessibleName(self.tr("Screen of the selected state"))
+        hear_as(self, QAccessible.Role.Grouping)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setMinimumWidth(px(280))

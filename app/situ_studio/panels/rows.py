@@ -66,7 +66,7 @@ class RowWidget(QFrame):
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         words = " ".join(w for w in (row.title, row.detail, row.target, row.guard) if w)
         self.setAccessibleName(words)
-        hear_as(self, QAccessible.Role.Button, self.opened.emit)
+        hear_as(self, QAccessible.Role.Button, lambda row: row.opened.emit())
         self._press: QPoint | None = None
         self._dragging = False
         column = QVBoxLayout(self)

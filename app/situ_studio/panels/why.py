@@ -8,6 +8,7 @@ from msgspec import Struct
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
+from situ_studio.announcing import announce
 from situ_studio.edit import Place
 from situ_studio.language import tr
 from situ_studio.panels.table import Row, RowsTable
@@ -70,11 +71,13 @@ class Why(QWidget):
     def reset(self) -> None:
         """Nothing was asked."""
         title = tr("Ask Why? of a card, an arrow or a row.")
-        self.tell(title, tr("It is in their menus; F7 and Shift+F7 ask for what is selected."))
+        more = tr("It is in their menus; F7 and Shift+F7 ask for what is selected.")
+        self._show(title, more, ())
 
     def tell(self, title: str, more: str = "") -> None:
         """Words, and no chain."""
         self._show(title, more, ())
+        announce(self, ". ".join(filter(None, (title, more))))
 
     def answer(self, title: str, more: str, links: Sequence[Link], asked: int) -> None:
         """A chain. asked: its link that answers first of all; it is current."""
@@ -82,6 +85,9 @@ class Why(QWidget):
         index = self.table.rows.index(asked, 0)
         self.table.setCurrentIndex(index)
         self.table.scrollTo(index)
+        # The whole chain is in the table; what was asked for is heard at once.
+        heard = (title, more, links[asked].words, links[asked].values) if links else (title, more)
+        announce(self, ". ".join(one.strip() for one in heard if one.strip()))
 
     def _show(self, title: str, more: str, links: tuple[Link, ...], asked: int = 0) -> None:
         self.title.setText(title)

@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -23,6 +24,7 @@ from situ.document.project import Project
 from situ.document.values import read
 from situ.rehearse.scenario import WRITER
 from situ_studio import kinds
+from situ_studio.heard_as import hear_as
 from situ_studio.icon_widgets import Elided, retheme
 from situ_studio.language import translated
 from situ_studio.layouts import clear, rule
@@ -66,6 +68,7 @@ class Desk(OverScroll):
         self.dials: dict[str, DialRow] = {}
         self.modules: dict[str, ModuleRow] = {}
         self.setAccessibleName(self.tr("Rehearsal"))
+        hear_as(self, QAccessible.Role.Grouping)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

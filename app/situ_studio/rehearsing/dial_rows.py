@@ -42,7 +42,9 @@ class DialRow(QWidget):
         self.flag: Flag | None = None
         self.slider: QSlider | None = None
         self.choice: NamedBox | None = None
-        self.value = QLabel()
+        # Only a number has it, and without a parent it would be a window.
+        self.value = QLabel(self)
+        self.value.setVisible(dial.kind == "number")
         if dial.kind == "boolean":
             self.flag = Flag(theme, "")
             self.flag.setAccessibleName(dial.tag)

@@ -8,6 +8,7 @@ from typing import Any
 from msgspec import UNSET, Struct
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
+    QAccessible,
     QContextMenuEvent,
     QKeyEvent,
     QMouseEvent,
@@ -20,6 +21,7 @@ from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 
 from situ.decide.screens import Shown
 from situ.decide.values import in_text
+from situ_studio.heard_as import hear_as
 from situ_studio.screens.component_painting import Stage
 from situ_studio.screens.list_painting import rows
 from situ_studio.screens.painting import DEVICE, layer, paint_content
@@ -71,6 +73,8 @@ class RobotScreen(QWidget):
         self.field.hide()
         self.field.returnPressed.connect(self._on_typed)
         self._typing: Target | None = None
+        self.setAccessibleName(self.tr("The robot's screen"))
+        hear_as(self, QAccessible.Role.Canvas)
         self._name()
 
     def show_content(self, content: Content, media: Path | None) -> None:
@@ -142,7 +146,8 @@ class RobotScreen(QWidget):
             way = 1 if key in NEXT else -1
             to = (here + way) if here is not None else (0 if way > 0 else -1)
             self._at = _key(self.targets[to % len(self.targets)])
-            self._name()
+            # A reader tells it again whenever it changes: of the way only where it leads.
+            self.setAccessibleDescription(self.targets[to % len(self.targets)].words)
             self.update()
         elif key in PRESS:
             if here is None:
@@ -195,7 +200,6 @@ class RobotScreen(QWidget):
 
     def _name(self) -> None:
         texts = [in_text(c.get("text")) for c in self._content.components if c.get("text")]
-        self.setAccessibleName(self.tr("The robot's screen"))
         here = next((t.words for t in self.targets if _key(t) == self._at), "")
         self.setAccessibleDescription(". ".join([here, *texts] if here else texts))
 

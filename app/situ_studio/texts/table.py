@@ -13,7 +13,14 @@ from PySide6.QtGui import (
     QMouseEvent,
     QResizeEvent,
 )
-from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableView, QWidget
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QAbstractScrollArea,
+    QApplication,
+    QHeaderView,
+    QTableView,
+    QWidget,
+)
 
 from situ_studio.letters import px
 from situ_studio.matrix import clipboard
@@ -195,6 +202,16 @@ class TextsTable(QTableView):
             event.accept()
             return True
         return super().event(event)
+
+    def focusNextPrevChild(self, next: bool) -> bool:
+        """Tab goes from cell to cell, and on behind the last one: Qt would begin again."""
+        ways = self.CursorAction
+        way = ways.MoveNext if next else ways.MovePrevious
+        to = self.moveCursor(way, Qt.KeyboardModifier.NoModifier)
+        here, there = ((at.row(), at.column()) for at in (self.currentIndex(), to))
+        if there > here if next else there < here:
+            return super().focusNextPrevChild(next)
+        return QAbstractScrollArea.focusNextPrevChild(self, next)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         for key, method in _KEYS.items():

@@ -129,7 +129,9 @@ class TimelineDrawing(QAbstractScrollArea):
         if not self._frames.isActive() and self.isVisible():
             self._frames.start()
         self._bring()
-        self.setAccessibleDescription(self.clock(self.viewing.t))
+        # A reader tells of what has the focus each change of it; ``told_moment`` says more.
+        if not self.hasFocus():
+            self.setAccessibleDescription(self.clock(self.viewing.t))
         self.viewport().update()
 
     def _bring(self) -> None:

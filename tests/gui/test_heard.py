@@ -1,0 +1,252 @@
+"""What a screen reader hears of one thing: its role, its name, and what became of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible
+from PySide6.QtWidgets import QApplication, QLabel, QVBoxLayout, QWidget
+from tests.gui.live.test_comparing import until
+from tests.gui.live.test_field import recorded
+from tests.gui.live.test_recordings import until_shown
+from tests.gui.test_announcing import hears
+
+from situ_studio.heard_as import hear_as
+from situ_studio.named_box import NamedBox
+from situ_studio.panels.conditions import GroupBox
+from situ_studio.panels.rows import RowWidget
+from situ_studio.panels.test_box import TestBox
+from situ_studio.tab_order import stops
+
+Start = Callable[..., Any]
+Copy = Callable[[str], Path]
+NAME, DESCRIPTION = QAccessible.Text.Name, QAccessible.Text.Description
+ROLE = QAccessible.Role
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+
+def heard(widget: QWidget) -> Any:
+    return QAccessible.queryAccessibleInterface(widget)
+
+
+def labels(widget: QWidget) -> list[str]:
+    """What readers call it by, where Qt tells what is chosen in it as its name."""
+    found = heard(widget).relations(QAccessible.RelationFlag.Label)
+    return [label.text(NAME) for label, _ in found]
+
+
+def around(widget: QWidget) -> list[str]:
+    """The named groups that it is in, the inner ones first; a reader tells those anew entered."""
+    found = []
+    part = heard(widget).parent()
+    while part is not None:
+        if part.role() in (ROLE.Grouping, ROLE.Client) and part.text(NAME):
+            found.append(part.text(NAME))
+        part = part.parent()
+    return found
+
+
+def shown_in(holder: QWidget, *widgets: QWidget) -> None:
+    column = QVBoxLayout(holder)
+    for widget in widgets:
+        column.addWidget(widget)
+    holder.show()
+    QApplication.processEvents()
+
+
+def test_a_combo_box_is_called_by_its_name_or_by_the_label_beside_it(qt: QApplication) -> None:
+    window = QWidget()
+    alone, labelled, words = NamedBox(), NamedBox(), QLabel("Leads to")
+    alone.setAccessibleName("Test")
+    labelled.setAccessibleName("Leads to")
+    words.setBuddy(labelled)
+    shown_in(window, alone, words, labelled)
+    assert labels(alone) == ["Test"]
+    alone.setAccessibleName("Value")
+    assert labels(alone) == ["Value"]
+    assert labels(labelled) == ["Leads to"]
+    assert [one.text() for one in window.findChildren(QLabel) if one.isVisible()] == ["Leads to"]
+    window.close()
+    window.deleteLater()
+
+
+def test_a_widget_is_heard_as_what_it_is_said_to_be_and_does_that(qt: QApplication) -> None:
+    pressed: list[bool] = []
+    made = QWidget()
+    made.setAccessibleName("Speech")
+    hear_as(made, ROLE.Button, lambda widget: pressed.append(widget is made))
+    made.show()
+    assert (heard(made).role(), heard(made).text(NAME)) == (ROLE.Button, "Speech")
+    actions = heard(made).actionInterface()
+    actions.doAction("Press")
+    assert pressed == [True]
+    assert heard(made).valueInterface() is None
+    assert heard(made).textInterface() is None
+    made.close()
+    made.deleteLater()
+
+
+def test_the_fields_of_a_condition_are_heard_with_what_they_are_about(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("conversation"))
+    used.window.open_file("conversation.spds.xml")
+    used.select("situation", "invited")
+    form = used.window.inspector.form
+    first, second, third = form.findChildren(TestBox)[:3]
+    assert around(first.within)[:2] == ["Test of person.calling", "Holds when"]
+    assert around(second.within)[:2] == ["Test of hand.waving", "Holds when"]
+    assert labels(first.test) == ["Test"]
+    (group,) = form.findChildren(GroupBox)
+    assert around(third.value)[:3] == ["Test of transfer.phase", "any of these", "Until"]
+    assert labels(group.kind) == ["Group"]
+
+
+def test_a_row_of_a_form_is_a_button_that_opens(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.select("state", "7")
+    row = used.window.inspector.form.findChildren(RowWidget)[0]
+    assert heard(row).role() == ROLE.Button
+    heard(row).actionInterface().doAction("Press")
+    used.settle()
+    assert used.window.current_view.selected == (("state", "7", "action", "0"),)
+
+
+def test_where_a_component_is_moved_to_is_told_and_what_it_is_level_with(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    used.window.open_file("reception.rbd.xml")
+    used.window.show_mode("screen")
+    used.select("state", "5", "screen", "yes")
+    told = hears(used)
+    used.window.current_view.current_view().setFocus()
+    used.key(Qt.Key.Key_Right)
+    assert told.pop().startswith("Move yes. 7 % from the left, 70 % from the top; 91 × 33 mm, ")
+    used.key(Qt.Key.Key_Down, CONTROL)
+    assert "Resize yes. 7 % from the left, 70 % from the top; 91 × 34 mm" in told[-1]
+    used.key(Qt.Key.Key_Left, SHIFT)
+    assert "0 % from the left" in told[-1]
+    assert "at the left edge of the screen; upper edge level with Button NO" in told[-1]
+
+
+def test_the_timeline_tells_in_words_where_a_key_takes_its_cursor(
+    studio: Start, project: Copy, tmp_path: Path
+) -> None:
+    used = studio(project("reception"))
+    ours, other = recorded(tmp_path, "reception", "known-user.jsonl", "second-thoughts.jsonl")
+    used.window.robot.open_recording(ours)
+    until_shown(used)
+    used.window.bottom.choose("timeline")
+    timeline, viewing = used.window.robot.timeline, used.window.robot.follower.viewing
+    assert (heard(timeline.chart).role(), heard(timeline.chart).text(NAME)) == (
+        ROLE.Slider,
+        "Timeline",
+    )
+    timeline.chart.setFocus()
+    viewing.seek(9.0)
+    timeline.bookmarks.add(12.0, "asked")
+    told = hears(used)
+    used.key(Qt.Key.Key_PageDown)
+    now = viewing.written(12.0)
+    at = viewing.moment().applications["reception"].state
+    state = used.window.robot.state_name("reception", at)
+    assert told == [f"{now}, bookmark asked, reception: {state}"]
+    told.clear()
+    used.click(timeline.back)
+    assert told[-1].startswith(viewing.written(viewing.t))
+    told.clear()
+    # What somebody else moves is told by who moves it.
+    viewing.seek(9.0)
+    used.settle()
+    assert told == []
+    used.window.robot.comparing.compare_with(other)
+    until(used.window.robot.comparing.comparing)
+    viewing.seek(0.0)
+    used.window.commands.next_difference(1)
+    used.settle()
+    assert told[-1].startswith("1 of ")
+    assert ". B, " in told[-1]
+
+
+def test_the_answer_to_why_is_told(studio: Start, project: Copy, tmp_path: Path) -> None:
+    used = studio(project("reception"))
+    (ours,) = recorded(tmp_path, "reception", "known-user.jsonl")
+    used.window.robot.open_recording(ours)
+    until_shown(used)
+    used.window.robot.follower.viewing.seek(16.0)
+    used.select("state", "2")
+    told = hears(used)
+    used.window.commands.ask_why()
+    panel = used.window.why.panel
+    used.settle()
+    assert panel.links
+    assert panel.title.text() in told[-1]
+    assert panel.links[panel.table.currentIndex().row()].words.strip() in told[-1]
+
+
+def test_another_situation_is_told_while_it_is_followed(studio: Start, project: Copy) -> None:
+    used = studio(project("conversation"))
+    rehearsing = used.window.rehearsing
+    rehearsing.clock = lambda: 0.0
+    told = hears(used)
+    rehearsing.rehearse()
+    used.settle()
+    assert "Situation conversation" in " ".join(told)
+    dial = rehearsing.desk.dials["robot.stop"]
+    dial.flag.setFocus()
+    used.key(Qt.Key.Key_Space)
+    assert "Situation stopped" in " ".join(told)
+    rehearsing.end()
+
+
+def test_a_dial_tells_its_value_with_its_unit(studio: Start, project: Copy) -> None:
+    used = studio(project("conversation"))
+    rehearsing = used.window.rehearsing
+    rehearsing.clock = lambda: 0.0
+    rehearsing.rehearse()
+    used.settle()
+    dial = rehearsing.desk.dials["person.direction"]
+    told = hears(used)
+    dial.slider.setFocus()
+    used.key(Qt.Key.Key_Right)
+    assert heard(dial.slider).role() == ROLE.Slider
+    assert heard(dial.slider).text(DESCRIPTION) == dial.value.text()
+    assert dial.value.text() in told
+    rehearsing.end()
+
+
+def test_of_the_robots_screen_an_arrow_tells_where_it_leads_alone(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("conversation"))
+    rehearsing = used.window.rehearsing
+    rehearsing.clock = lambda: 0.0
+    rehearsing.rehearse()
+    used.settle()
+    screen = rehearsing.desk.screen_
+    assert "Hello. I am glad to see you" in heard(screen).text(DESCRIPTION)
+    screen.setFocus()
+    used.key(Qt.Key.Key_Down)
+    assert heard(screen).text(DESCRIPTION) == screen.targets[0].words
+    rehearsing.end()
+
+
+def test_what_scrolls_is_no_stop_where_something_in_it_is(studio: Start, project: Copy) -> None:
+    """It lies beside all that it holds: read line by line, Tab went round in it."""
+    used = studio(project("conversation"))
+    rehearsing = used.window.rehearsing
+    rehearsing.clock = lambda: 0.0
+    rehearsing.rehearse()
+    used.settle()
+    desk = rehearsing.desk
+    every = stops(desk)
+    assert desk not in every
+    tops = [one.mapTo(desk.widget(), one.rect().center()).y() for one in every]
+    assert all(below > above - 16 for above, below in pairwise(tops))
+    rehearsing.end()
