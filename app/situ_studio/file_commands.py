@@ -7,6 +7,8 @@ from functools import partial
 from pathlib import Path
 
 from situ.document.beginning import project_name
+from situ.document.export import deployable, write_out
+from situ.document.ready import load_ready
 from situ.errors import SituError
 from situ_studio import projects
 from situ_studio.opening import Reading, is_large
@@ -126,6 +128,21 @@ class FileCommands(SituationCommands):
         """Writes the drawing, as it is here, into a file that the person names."""
         self._window.finish_fields()
         self._try(self._window.exporting.export)
+
+    def export_for_robot(self) -> None:
+        """Writes what a robot needs of the project into a folder of its own, as it is saved."""
+        window = self._window
+        window.finish_fields()
+        if self._session.dirty:
+            window.say(self.tr("Save first: what is saved is exported."))
+            return
+        title = self.tr("Where shall the folder for the robot be?")
+        parent = window.dialogs.new_folder(self._home(), title)
+        if parent is None or self._session.project is None:
+            return
+        output = Path(parent) / f"{self._session.root.name}-robot"
+        if self._try(lambda: write_out(deployable(load_ready(self._session.root)), output)):
+            window.say(self.tr("Exported to {0}").format(output))
 
     def print_drawing(self) -> None:
         self._window.finish_fields()

@@ -32,33 +32,11 @@ def add(commands: Any) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    import shutil
-    import tempfile
-
-    from situ.document.export import deployable
+    from situ.document.export import check_free, deployable, write_out
     from situ.document.flatten import flatten
     from situ.document.ready import load_ready
-    from situ.errors import UsageError
 
-    output: Path = args.output
-    if output.is_symlink() or (output.exists() and not output.is_dir()):
-        raise UsageError(f"{output}: there is a file of this name; name another folder with -o")
-    if output.is_dir() and any(output.iterdir()):
-        raise UsageError(f"{output}: is not empty; name a new or an empty folder with -o")
+    check_free(args.output)
     project = load_ready(args.project)
-    files = deployable(flatten(project) if args.flat else project)
-    # All or nothing: the folder appears when everything is in it.
-    parent = output.absolute().parent
-    parent.mkdir(parents=True, exist_ok=True)
-    whole = Path(tempfile.mkdtemp(prefix=f".{output.name}.", dir=parent))
-    try:
-        for file, data in files.items():
-            target = whole / file
-            target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_bytes(data)
-        whole.chmod(0o755)
-        whole.rename(output)
-    except BaseException:
-        shutil.rmtree(whole, ignore_errors=True)
-        raise
+    write_out(deployable(flatten(project) if args.flat else project), args.output)
     return 0

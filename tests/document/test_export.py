@@ -12,7 +12,7 @@ import pytest
 from situ import cli
 from situ.document import codec
 from situ.document.aside import Aside
-from situ.document.export import without_editor
+from situ.document.export import without_editor, write_out
 from situ.document.folder import load
 from situ.document.rbd import Application, State
 from situ.resources import example, examples
@@ -226,3 +226,11 @@ def test_files_are_called_as_the_user_called_the_project(
     monkeypatch.chdir(tmp_path / "p")
     cli.main(["check", "."])
     assert capsys.readouterr().out.startswith("a.rbd.xml:2:2: ")
+
+
+def test_what_can_not_be_written_whole_leaves_nothing(tmp_path: Path) -> None:
+    with pytest.raises(OSError, match="a"):
+        write_out({"a": b"1", "a/b": b"2"}, tmp_path / "robot")
+    assert list(tmp_path.iterdir()) == []
+    write_out({"a/b": b"2"}, tmp_path / "robot")
+    assert (tmp_path / "robot" / "a" / "b").read_bytes() == b"2"

@@ -76,6 +76,15 @@ FILE: tuple[Command, ...] = (
         tip="The drawing, or a part of it, as SVG, PDF or PNG.",
     ),
     row(
+        "export_robot",
+        "Export for a robot…",
+        "export_for_robot",
+        icon="robot",
+        menu="File",
+        when="has_project",
+        tip="What a robot needs of the project, in a folder of its own, to be carried there.",
+    ),
+    row(
         "print",
         "Print…",
         "print_drawing",

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -52,6 +54,36 @@ def deployable(project: Project) -> dict[str, bytes]:
             raise UsageError(f"{file!r}: its name is not UTF-8: give it another one")
         found[file] = place.read_bytes()
     return found
+
+
+def check_free(output: Path) -> None:
+    """UsageError where something stands at ``output`` that ``write_out`` would not replace."""
+    if output.is_symlink() or (output.exists() and not output.is_dir()):
+        raise UsageError(f"{output}: there is a file of this name; name another folder")
+    if output.is_dir() and any(output.iterdir()):
+        raise UsageError(f"{output}: is not empty; name a new or an empty folder")
+
+
+def write_out(files: dict[str, bytes], output: Path) -> None:
+    """Writes what goes to a robot into a folder that is new, or empty.
+
+    All or nothing: the folder appears when everything is in it. UsageError as ``check_free``;
+    OSError where it can not be written.
+    """
+    check_free(output)
+    parent = output.absolute().parent
+    parent.mkdir(parents=True, exist_ok=True)
+    whole = Path(tempfile.mkdtemp(prefix=f".{output.name}.", dir=parent))
+    try:
+        for file, data in files.items():
+            target = whole / file
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(data)
+        whole.chmod(0o755)
+        whole.rename(output)
+    except BaseException:
+        shutil.rmtree(whole, ignore_errors=True)
+        raise
 
 
 def without_editor(value: Any) -> Any:
