@@ -300,4 +300,6 @@ class Follower(QObject):
         words += self._lacking()
         if kind in ("live", "replaying"):
             words += self._compared()
+        if kind == "replaying" and state.kind not in ("none", "live"):
+            words = self.tr("{0}; {1}").format(words, self._beside())
         self._window.show_link(kind, words)

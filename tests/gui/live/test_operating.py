@@ -342,6 +342,12 @@ def test_the_cursor_of_a_lost_robot_stays_where_its_time_had_come_to(
     assert viewing.span[1] == stood
     it.settle()
     assert viewing.t == stood
+    # Who looks at the past is told that it is lost all the same.
+    viewing.seek(before - 1.0)
+    words = it.window.status.link.text()
+    assert words.startswith("replaying ")
+    assert "; robot: lost " in words
+    viewing.follow()
     # Nor does it go when nobody looks for the robot any more; the next one's time is its own.
     it.window.disconnect_robot()
     assert viewing.t == stood
