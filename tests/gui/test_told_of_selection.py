@@ -43,6 +43,9 @@ def test_a_name_above_the_form_is_not_cut_for_what_it_is(studio: Start, project:
     assert pill.text() == "Event"
     assert pill.toolTip() == "Event of state 1"
     assert title.width() >= title.fontMetrics().horizontalAdvance(title.text())
+    for number in "24":
+        used.select("state", "7", "event", number)
+        assert title.width() >= title.fontMetrics().horizontalAdvance(title.text())
     used.select("state", "7")
     assert pill.text() == "State 7"
     assert not pill.toolTip()

@@ -213,7 +213,7 @@ class Inspector(QWidget):
         others = [self._icon, self._pill, self.usages]
         if self._back.isVisibleTo(self):
             others.append(self._back)
-        taken = sum(min(one.sizeHint().width(), one.maximumWidth()) + 8 for one in others)
+        taken = sum(max(one.minimumWidth(), one.sizeHint().width()) + 8 for one in others)
         if wanted > self.width() - taken - 20:
             self._pill.setText(short)
         self._pill.setToolTip(whole if self._pill.text() != whole else "")
