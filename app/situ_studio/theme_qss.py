@@ -249,7 +249,7 @@ QFrame[role="bottomtabs"] QPushButton {{ border: 0; border-radius: 0; background
 QFrame[role="bottomtabs"] QPushButton:hover {{ color: {text}; }}
 QFrame[role="bottomtabs"] QPushButton:checked {{ color: {text}; font-weight: 600;
   border-bottom-color: {accent}; }}
-QFrame[role="bottomtabs"] QPushButton:focus {{ background: {hover}; }}
+QFrame[role="bottomtabs"] QPushButton:focus {{ border: 2px solid {accent}; padding: 0 8px; }}
 
 QStatusBar {{ background: {panel}; border-top: 1px solid {line}; min-height: 23px;
   max-height: 23px; }}

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAccessible
+from PySide6.QtGui import QAccessible, QColor
 from PySide6.QtWidgets import QApplication, QLabel, QVBoxLayout, QWidget
 from tests.gui.live.test_comparing import until
 from tests.gui.live.test_field import recorded
@@ -218,6 +218,7 @@ def test_a_dial_tells_its_value_with_its_unit(studio: Start, project: Copy) -> N
     assert heard(dial.slider).role() == ROLE.Slider
     assert heard(dial.slider).text(DESCRIPTION) == dial.value.text()
     assert dial.value.text() in told
+    assert ringed(dial.slider, used.window.theme.accent)
     rehearsing.end()
 
 
@@ -250,3 +251,29 @@ def test_what_scrolls_is_no_stop_where_something_in_it_is(studio: Start, project
     tops = [one.mapTo(desk.widget(), one.rect().center()).y() for one in every]
     assert all(below > above - 16 for above, below in pairwise(tops))
     rehearsing.end()
+
+
+def ringed(widget: QWidget, colour: str) -> bool:
+    """Whether its edge, as it is painted now, has that colour."""
+    painted = widget.grab().toImage()
+    middle = painted.height() // 2
+    return any(painted.pixelColor(x, middle) == QColor(colour) for x in range(3))
+
+
+def test_what_paints_itself_shows_that_it_has_the_keyboard(
+    studio: Start, project: Copy, tmp_path: Path
+) -> None:
+    used = studio(project("reception"))
+    accent = used.window.theme.accent
+    (ours,) = recorded(tmp_path, "reception", "known-user.jsonl")
+    used.select("state", "7")
+    row = used.window.inspector.form.findChildren(RowWidget)[0]
+    used.window.robot.open_recording(ours)
+    until_shown(used)
+    used.window.bottom.choose("timeline")
+    chart = used.window.robot.timeline.chart
+    for widget, painted in ((row, row), (chart, chart.viewport())):
+        assert not ringed(painted, accent)
+        widget.setFocus()
+        used.settle()
+        assert ringed(painted, accent), widget

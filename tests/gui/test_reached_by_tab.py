@@ -20,7 +20,7 @@ from situ_studio.canvas.viewer import Viewer
 from situ_studio.conflict import ConflictDialog
 from situ_studio.details import Details
 from situ_studio.differing import Differing
-from situ_studio.export_dialog import ExportDialog
+from situ_studio.export_dialog import ExportDialog, What
 from situ_studio.live.raising_dialog import Offer, RaisingDialog
 from situ_studio.live.setting_dialog import SettingDialog
 from situ_studio.preferences import Preferences
@@ -208,7 +208,7 @@ def asked(dialog: QWidget) -> list[str]:
 def test_every_dialog(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
     window = used.window
-    areas = {"whole": QRectF(0, 0, 100, 100), "seen": QRectF(0, 0, 50, 50)}
+    areas: dict[What, QRectF] = {"whole": QRectF(0, 0, 9, 9), "seen": QRectF(0, 0, 5, 5)}
     known = Vocabulary(tags=("user.name",), data=(("near", "boolean", ""),))
     offers = [Offer("clickYes", "button"), Offer("timeout", "")]
     file = "reception.rbd.xml"

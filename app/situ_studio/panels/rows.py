@@ -30,6 +30,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from situ_studio.focus_ring import paint_ring
 from situ_studio.heard_as import hear_as
 from situ_studio.icon_widgets import Elided, IconButton, IconLabel
 from situ_studio.layouts import clear, rule
@@ -120,6 +121,12 @@ class RowWidget(QFrame):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._remove.move(self.width() - 24, 8)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.hasFocus():
+            # Within the row, whose words stay where they are; its ground alone is too pale a sign.
+            paint_ring(self)
 
     def enterEvent(self, event: QEnterEvent) -> None:
         self._show_remove(True)

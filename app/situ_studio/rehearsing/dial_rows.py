@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QAccessible
+from PySide6.QtGui import QAccessible, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QWidget
 
 from situ.decide.values import in_text
 from situ.document.values import is_number, read
 from situ_studio.announcing import announce
+from situ_studio.focus_ring import paint_ring
 from situ_studio.heard_as import hear_as
 from situ_studio.icon_widgets import Elided
 from situ_studio.letters import px
@@ -23,6 +24,15 @@ from situ_studio.value_words import with_unit
 STEPS = 100
 """Places of a slider between its bounds."""
 TITLE = 116
+
+
+class DialSlider(QSlider):
+    """Shows whether it has the keyboard: the style does not."""
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.hasFocus():
+            paint_ring(self)
 
 
 class DialRow(QWidget):
@@ -51,7 +61,7 @@ class DialRow(QWidget):
             self.flag.committed.connect(lambda on: self.written.emit(dial.tag, bool(on)))
             line.addWidget(self.flag, 1)
         elif dial.kind == "number":
-            self.slider = QSlider(Qt.Orientation.Horizontal)
+            self.slider = DialSlider(Qt.Orientation.Horizontal)
             self.slider.setAccessibleName(dial.tag)
             # Of a slider readers tell its place between its bounds, which says nothing here.
             hear_as(self.slider, QAccessible.Role.Slider)

@@ -3,10 +3,19 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
-from PySide6.QtGui import QAccessible, QFocusEvent, QHelpEvent, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import (
+    QAccessible,
+    QFocusEvent,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPaintEvent,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import QToolTip
 
 from situ_studio.announcing import announce
+from situ_studio.focus_ring import paint_ring
 from situ_studio.heard_as import hear_as
 from situ_studio.letters import px
 from situ_studio.live.timeline.bookmarks import Bookmarks
@@ -129,6 +138,16 @@ class TimelineChart(TimelineDrawing):
     def focusInEvent(self, event: QFocusEvent) -> None:
         self.setAccessibleDescription(self.told_now())
         super().focusInEvent(event)
+        self.viewport().update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.viewport().update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.hasFocus():
+            paint_ring(self.viewport())
 
     def told_now(self) -> str:
         """What stands at the cursor."""

@@ -1,0 +1,20 @@
+"""What shows where the keyboard is, on what paints itself."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QPainter, QPen
+from PySide6.QtWidgets import QWidget
+
+WIDE, ROUND = 2.0, 5.0
+"""Px, as the style sheet has them of buttons and fields."""
+
+
+def paint_ring(widget: QWidget) -> None:
+    """Within its edge, while it is painted."""
+    painter = QPainter(widget)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(QPen(widget.palette().highlight().color(), WIDE))
+    half = WIDE / 2
+    painter.drawRoundedRect(QRectF(widget.rect()).adjusted(half, half, -half, -half), ROUND, ROUND)
+    painter.end()
