@@ -14,6 +14,7 @@ from situ_studio.canvas.figure_items import FigureItem
 from situ_studio.canvas.figures import Area, Figure
 from situ_studio.canvas.note_editor import NoteEditor
 from situ_studio.edit import Place
+from situ_studio.exchanged import draws_the_same
 
 if TYPE_CHECKING:
     from situ_studio.canvas.application import ApplicationCanvas
@@ -28,6 +29,7 @@ class Figuring:
         self._canvas = canvas
         self._edit = edit
         self.shown: dict[str, Figure] = {}
+        self._application: Application | None = None
 
     def show(self, application: Application) -> dict[str, Figure]:
         """What the application has drawn; what a hand was dragging counts no more."""
@@ -35,7 +37,9 @@ class Figuring:
             item = self._item(uid)
             if item is not None:
                 item.forget_wanted()
-        self.shown = figures.shown(application, self.shown)
+        if not draws_the_same(self._application, application):
+            self.shown = figures.shown(application, self.shown)
+        self._application = application
         return self.shown
 
     def _item(self, uid: str) -> FigureItem | None:

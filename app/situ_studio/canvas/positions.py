@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from situ.document.rbd import Always, Application, State
+from situ.document.rbd import Application
 from situ_studio.canvas import gestures, layout
 from situ_studio.canvas.arranging import Arranging
 from situ_studio.canvas.figuring import Figuring
-from situ_studio.canvas.graph import differing
 from situ_studio.canvas.projection import identified
 from situ_studio.edit import Place
+from situ_studio.exchanged import exchanged
 from situ_studio.language import tr
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ class Positions(QObject):
         super().__init__(canvas)
         self._canvas, self._figuring, self._edit = canvas, figuring, edit
         self.laid: dict[str, Spot] = {}
-        self._values: dict[str, State | Always] = {}
+        self._shown: Application | None = None
         self.arranging = Arranging(self)
         self.arranging.refused.connect(canvas.status)
         self.arranging.done.connect(self._on_arranged)
@@ -47,11 +47,15 @@ class Positions(QObject):
     def lay_out_new(self) -> None:
         """Cards that came without a place get one."""
         document = self._canvas.document
-        values = dict(identified(document))
-        _, other = differing(self._values, values)
-        if any(values[u].aside.position is None and u not in self.laid for u in other):
+        parts = exchanged(self._shown, document)
+        self._shown = document
+        if parts is not None and all(one.new.aside.position is not None for one in parts):
+            return
+        if any(
+            value.aside.position is None and uid not in self.laid
+            for uid, value in identified(document)
+        ):
             self.laid.update(layout.missing(document, self.laid))
-        self._values = values
 
     def _unplaced(self) -> dict[Place, Spot]:
         """Where cards without a place in the file are shown: they stay when one is moved."""

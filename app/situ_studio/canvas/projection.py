@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import chain, compress
-from operator import is_not
+from itertools import chain
 from typing import NamedTuple
 
 from msgspec.structs import replace
@@ -16,6 +15,7 @@ from situ_studio import kinds
 from situ_studio.canvas.picture import ALWAYS, TIMEOUT, Card, Exit, Kind, Link, Picture
 from situ_studio.canvas.problem_marks import NONE, Marks, changed, marks_of
 from situ_studio.edit import Place
+from situ_studio.exchanged import exchanged
 from situ_studio.language import say, tr
 from situ_studio.words import condition_words
 
@@ -40,6 +40,9 @@ class Projector:
         self._values: dict[str, State | rbd.Always] = {}
         self._picture = Picture({}, {}, {})
         self._around: tuple[object, ...] = ()
+        self._application: Application | None = None
+        self._uids: tuple[str, ...] = ()
+        self._known: frozenset[str] = frozenset()
 
     def picture(
         self,
@@ -48,8 +51,14 @@ class Projector:
         places: Mapping[str, tuple[float, float]] | None = None,
     ) -> Picture:
         """places: uid to position, for cards whose state has none."""
-        values = dict(identified(application))
-        known = frozenset([state.no for state in application.states])
+        parts = exchanged(self._application, application)
+        if parts is None:
+            values = dict(identified(application))
+            known = frozenset([state.no for state in application.states])
+            uids = tuple(values)
+        else:
+            uids, known = self._uids, self._known
+            values = {**self._values, **{uids[one.at]: one.new for one in parts}}
         around = (
             application.start_no,
             _chips(application),
@@ -57,13 +66,19 @@ class Projector:
             dict(places or {}),
             known,
         )
-        if around == self._around and list(values) == list(self._values):
-            stale = [*compress(values, map(is_not, values.values(), self._values.values()))]
+        if parts is not None and around == self._around:
+            stale = [uids[one.at] for one in parts]
         else:
             stale = self._stale(values, *around)
-        made = {**self._made, **{u: self._make(u, values[u], *around) for u in stale}}
-        self._picture = self._drawn(values, made, stale)
-        self._made = {uid: made[uid] for uid in values} if len(made) > len(values) else made
+        made = {uid: self._make(uid, values[uid], *around) for uid in stale}
+        if parts is None:
+            every = {**self._made, **made}
+            self._made = {uid: every[uid] for uid in values}
+            self._picture = self._drawn()
+        else:
+            self._picture = self._redrawn(made)
+            self._made.update(made)
+        self._application, self._uids, self._known = application, uids, known
         self._values, self._around = values, around
         return self._picture
 
@@ -123,21 +138,19 @@ class Projector:
             return _Made(frozenset(targets(value)), laid, kept.card, kept.links)
         return _Made(frozenset(targets(value)), laid, card, _links(card))
 
-    def _drawn(
-        self, values: Mapping[str, object], made: Mapping[str, _Made], stale: Sequence[str]
-    ) -> Picture:
-        if list(values) == list(self._values):
-            # Links have no order that counts.
-            cards, links = dict(self._picture.cards), dict(self._picture.links)
-            for uid in stale:
-                cards[uid] = made[uid].card
-                for id in self._made[uid].links.keys() - made[uid].links.keys():
-                    del links[id]
-                links.update(made[uid].links)
-            return Picture(cards=cards, links=links, uids=self._picture.uids)
+    def _redrawn(self, made: Mapping[str, _Made]) -> Picture:
+        """The picture with some cards made anew; links have no order that counts."""
+        cards, links = dict(self._picture.cards), dict(self._picture.links)
+        for uid, one in made.items():
+            cards[uid] = one.card
+            for id in self._made[uid].links.keys() - one.links.keys():
+                del links[id]
+            links.update(one.links)
+        return Picture(cards=cards, links=links, uids=self._picture.uids)
+
+    def _drawn(self) -> Picture:
         cards, links, uids = {}, {}, dict[Place, str]()
-        for uid in values:
-            one = made[uid]
+        for uid, one in self._made.items():
             cards[uid] = one.card
             links.update(one.links)
             uids.setdefault(one.card.place, uid)

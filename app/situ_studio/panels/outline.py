@@ -17,6 +17,7 @@ from situ.document.rbd import Application, State
 from situ.document.spds import Spds
 from situ_studio import kinds, places, words
 from situ_studio.edit import Document, Place
+from situ_studio.exchanged import draws_the_same
 from situ_studio.language import tr
 from situ_studio.panels.lists import COUNT, DETAIL, ICON, MARKS, NUMBER, PLACE, RowDelegate
 from situ_studio.panels.more_modules import MoreModules
@@ -205,7 +206,10 @@ class Outline(QWidget):
                         rows[first + index] = row(document.states[index])
             else:
                 rows += map(row, document.states)
-            rows += drawn_rows(document)
+            if isinstance(before, Application) and draws_the_same(before, document):
+                rows += self._rows[first + len(document.states) :]
+            else:
+                rows += drawn_rows(document)
         elif isinstance(document, Spds):
             self.search.setPlaceholderText(self.tr("Find a module"))
             applications = {a.name for a in project.applications.values()}
