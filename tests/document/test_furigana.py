@@ -18,6 +18,11 @@ from situ.document.texts import read_out
         ("甘いもの（あまいもの）を", "あまいものを"),
         ("お水（おみず）、お水（みず）、ご飯（ごはん）", "おみず、おみず、ごはん"),
         ("薬（くすり）と目薬（めぐすり）", "くすりとめぐすり"),
+        # Kana between kanji is said once, too, and the word before stays.
+        ("飲み薬（のみぐすり）、食べ物（たべもの）", "のみぐすり、たべもの"),
+        ("お飲み物（おのみもの）と痛み止め（いたみどめ）", "おのみものといたみどめ"),
+        ("朝は薬（くすり）、母の母（はは）", "朝はくすり、母のはは"),
+        ("朝の飲み薬（のみぐすり）", "朝ののみぐすり"),
         # A dose is never left out.
         ("2錠（じょう）", "2じょう"),
         # What stands behind is no reading of it.
