@@ -11,7 +11,8 @@ import re
 _GROUPED = re.compile(r"(?<![\d.,])\d{1,3}(?:,\d{3})+(?![\d,])")
 _TIME = re.compile(r"(?<![\d:.])([01]?\d|2[0-3]):([0-5]\d)(?![\d:])")
 _DECIMAL = re.compile(r"(?<![\d.．])(\d+)[.．](\d+)(?![.．]?\d)")
-_MINUS = re.compile(r"(?<![\w.,:)-])[-\u2212\uff0d](?=\d)")
+# No blank stands between a particle and a number: 気温は-5度.
+_MINUS = re.compile(r"(?<![^\W\u3041-\u3096])(?<![.,:)-])[-\u2212\uff0d](?=\d)")
 _PERCENT = re.compile(r"(?<=\d)\s*[%％]")
 
 _HOURS = ("れい", "いち", "に", "さん", "よ", "ご", "ろく", "しち", "はち", "く")
