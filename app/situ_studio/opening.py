@@ -5,9 +5,10 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from pathlib import Path
+from queue import SimpleQueue
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from situ.document import folder
 from situ.document.problem import Problem
@@ -23,6 +24,8 @@ LARGE = 500_000
 
 NAME = "reading a project"
 """What the threads that read are called."""
+LOOKS = 20
+"""Milliseconds between two looks at whether a project has been read."""
 
 Found = tuple[Project | None, list[Problem]]
 
@@ -37,44 +40,38 @@ def is_large(path: Path) -> bool:
 
 
 class Opening(QObject):
-    """Reads one project at a time; what was begun before is given up."""
+    """Reads one project at a time; what was begun before is given up.
+
+    The thread knows of nothing of Qt: a signal emitted there while its window is being closed
+    would crash.
+    """
 
     read = Signal(object)
     """What ``folder.load`` gives."""
     refused = Signal(str)
     """There is none: why, in one line."""
-    _done = Signal(int, object)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._turn = 0
-        self._done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
+        self._came: SimpleQueue[Found | Exception] = SimpleQueue()
+        self._looks = QTimer(self, interval=LOOKS)
+        self._looks.timeout.connect(self._look)
 
     def start(self, path: Path) -> None:
-        self._turn += 1
-        work = threading.Thread(target=self._work, args=(self._turn, path), name=NAME, daemon=True)
-        work.start()
+        # What another thread still reads comes into a queue that nobody looks into any more.
+        self._came = SimpleQueue()
+        threading.Thread(target=_read, args=(path, self._came), name=NAME, daemon=True).start()
+        self._looks.start()
 
     def cancel(self) -> None:
         """Nobody is told of what was begun: its thread ends by itself, and is not heard."""
-        self._turn += 1
+        self._looks.stop()
 
-    def _work(self, turn: int, path: Path) -> None:
-        found: Found | Exception
-        try:
-            found = folder.load(path)
-        except Exception as error:
-            # Whatever it is, the window's thread hears of it: there the fault is raised and told.
-            found = error
-        # The window may have been closed meanwhile: then there is nobody to tell.
-        try:
-            self._done.emit(turn, found)
-        except RuntimeError:
+    def _look(self) -> None:
+        if self._came.empty():
             return
-
-    def _on_done(self, turn: int, found: Found | Exception) -> None:
-        if turn != self._turn:
-            return
+        self._looks.stop()
+        found = self._came.get()
         if isinstance(found, SituError):
             self.refused.emit(str(found))
         elif isinstance(found, Exception):
@@ -82,6 +79,16 @@ class Opening(QObject):
             raise found
         else:
             self.read.emit(found)
+
+
+def _read(path: Path, came: SimpleQueue[Found | Exception]) -> None:
+    found: Found | Exception
+    try:
+        found = folder.load(path)
+    except Exception as error:
+        # Whatever it is, the window's thread hears of it: there the fault is raised and told.
+        found = error
+    came.put(found)
 
 
 class Reading(QObject):

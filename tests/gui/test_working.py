@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtTest import QSignalSpy
 from PySide6.QtWidgets import QApplication
 
@@ -91,6 +91,7 @@ def test_cancelled_the_window_stays_as_it_is(project: Copy, qt: QObject) -> None
             thread.join()
     QApplication.processEvents()
     assert came == []
+    assert not any(timer.isActive() for timer in reading.findChildren(QTimer))
     spy = QSignalSpy(reading.read)
     reading.start(project("conversation"))
     comes_in(spy)
