@@ -85,6 +85,8 @@ class RenameApplication(QDialog):
         self.rename.setEnabled(self._renaming is not None)
 
     def _agree(self) -> None:
+        # Of what the files are by now: another program may have changed them since a key was hit.
+        self._settle()
         if self._renaming is not None:
             self.accept()
             self.agreed.emit(self._renaming)

@@ -19,11 +19,11 @@ from situ.document.folder import PROJECT_FILE
 from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.errors import UsageError
-from situ.rehearse.suite import scenarios
+from situ.rehearse.suite import ENDING, scenarios
 from situ_studio import application_uses as uses
 from situ_studio import showing
 from situ_studio.application_dialogs import DeleteApplication, RenameApplication
-from situ_studio.edit import Written
+from situ_studio.edit import Written, read
 from situ_studio.panels.lists import PLACE
 from situ_studio.panels.project_tree import stem
 
@@ -210,6 +210,8 @@ class ApplicationFiles(QObject):
             return None
         # What another program did meanwhile is taken in, or asked about, first.
         self._session.disk.look()
+        if self._session.document(file) is None:
+            return None
         if self._session.is_incomplete(file):
             told = self.tr("{0} has errors: mend them first, or what they name would be lost.")
         elif self._session.disk.is_other(file):
@@ -227,11 +229,14 @@ class ApplicationFiles(QObject):
             every = []
         root = Path(project.root).resolve()
         named = [one.resolve().relative_to(root).as_posix() for one in every]
-        self._session.contents.attend(named)
         found = {file: self._session.value(file) for file in (*beside.files(project), *named)}
+        for file in named:
+            if found[file] is None:
+                found[file], _ = read(self._session.disk.read(file), file)
         return {file: value for file, value in found.items() if value is not None}
 
     def _commit(self, changed: dict[str, Written | None], words: str) -> None:
+        self._session.contents.attend(file for file in changed if file.endswith(ENDING))
         if not self._session.commit_all(changed, words):
             told = self.tr("A document with errors refers to it: mend it first.")
             self._window.say(told)

@@ -203,11 +203,11 @@ def _in_scenario(scenario: Lines, old: str, new: str) -> tuple[Lines, int] | Non
     Only the names change: each line is otherwise written as it was.
     """
     found, count = [], 0
-    for line in scenario.text.splitlines(keepends=True):
+    for line in scenario.text.split("\n"):
         after = _in_line(line, old, new)
         found.append(after)
         count += after != line
-    return (Lines("".join(found)), count) if count else None
+    return (Lines("\n".join(found)), count) if count else None
 
 
 def _in_line(line: str, old: str, new: str) -> str:
@@ -216,13 +216,13 @@ def _in_line(line: str, old: str, new: str) -> str:
     except ValueError:
         return line
     keys = "|".join((*_NAMING, *(("from", "to") if _expects_authority(told) else ())))
-    for ascii_only in (False, True):
-        before = re.escape(json.dumps(old, ensure_ascii=ascii_only)[1:-1])
+    # Each way of writing it once: the new name may begin with the old one.
+    ways = {json.dumps(old, ensure_ascii=one)[1:-1]: one for one in (True, False)}
+    for before, ascii_only in ways.items():
         # A name may have a backslash: no template of a substitution.
-        after = json.dumps(new, ensure_ascii=ascii_only)[1:-1]
-        told_as = partial(_put, after)
-        line = re.sub(rf'("(?:{keys})"\s*:\s*"){before}(?=")', told_as, line)
-        line = re.sub(rf'("(?:application|module)/){before}(?=["/.])', told_as, line)
+        told_as = partial(_put, json.dumps(new, ensure_ascii=ascii_only)[1:-1])
+        line = re.sub(rf'("(?:{keys})"\s*:\s*"){re.escape(before)}(?=")', told_as, line)
+        line = re.sub(rf'("(?:application|module)/){re.escape(before)}(?=["/.])', told_as, line)
     return line
 
 

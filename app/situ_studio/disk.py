@@ -105,9 +105,9 @@ class DiskSide(QObject):
                 window.notice.hide()
             self.settle()
             after = session.document(file)
-            assert before is not None
-            assert after is not None
-            changes = [said(change.text) for change in compare(before, after, file)]
+            changes = []
+            if before is not None and after is not None:
+                changes = [said(change.text) for change in compare(before, after, file)]
             text = self.tr("{0} was changed by another program: read anew.").format(file)
             window.say(" ".join((text, *changes[:1], *("…" for _ in changes[1:2]))))
 

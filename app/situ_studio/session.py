@@ -305,7 +305,8 @@ class Session(QObject):
         self.contents.let_go(file)
         if not self.disk.is_missing(file):
             # Where letters' case does not count, another name may be the same file.
-            same = any(path.samefile(self.root / f) for f in self.files if f != file)
+            others = (f for f in self.files if f != file and not self.disk.is_missing(f))
+            same = any(path.samefile(self.root / f) for f in others)
             if same or self.disk.is_other(file) or not self.throw_away(path):
                 if not same:
                     self.left_over.emit(file)

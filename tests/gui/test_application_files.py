@@ -452,7 +452,81 @@ def test_after_a_crash_another_name_is_offered_again_in_all_files(
     assert [p.message for p in used.session.problems if p.severity == "error"] == []
     do(used, "save")
     assert errors(tmp_path) == []
-    assert list(folder.load(tmp_path)[0].applications) == ["a.rbd.xml", "late.rbd.xml"]
+    found, _ = folder.load(tmp_path)
+    assert found is not None
+    assert list(found.applications) == ["a.rbd.xml", "late.rbd.xml"]
     assert '"application": "late"' in (tmp_path / "scenarios" / "first.jsonl").read_text()
     # What it was called before is not known any more: its file stays, and nothing is lost.
     assert (tmp_path / "night.rbd.xml").read_text() == NIGHT
+
+
+def test_what_another_program_writes_while_a_name_is_asked_for_is_not_written_over(
+    ward: Any, tmp_path: Path
+) -> None:
+    choose(ward, "night.rbd.xml")
+    ward.key(Qt.Key.Key_F2)
+    write(ward, "late")
+    (tmp_path / "ward.spds.xml").write_text(SPDS.replace('priority="1"', 'priority="7"'))
+    ward.session.disk.look()
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    do(ward, "save")
+    assert '<module name="a" priority="7"/>' in (tmp_path / "ward.spds.xml").read_text()
+    assert errors(tmp_path) == []
+
+
+def test_a_scenario_is_one_of_the_values_here_only_once_a_name_in_it_was_changed(
+    ward: Any, tmp_path: Path
+) -> None:
+    scenario = tmp_path / "scenarios" / "first.jsonl"
+    choose(ward, "night.rbd.xml")
+    ward.key(Qt.Key.Key_F2)
+    write(ward, "late")
+    key(ward, Qt.Key.Key_Escape)
+    ward.settle()
+    scenario.write_text(SCENARIO.replace('"at": 4', '"at": 5'))
+    ward.session.disk.look()
+    assert ward.session.undo_text is None
+    choose(ward, "night.rbd.xml")
+    ward.key(Qt.Key.Key_F2)
+    write(ward, "late")
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    do(ward, "save")
+    written = scenario.read_text()
+    assert '"at": 5' in written
+    assert '"application": "late"' in written
+    # From then on it is read anew like a document.
+    scenario.write_text(written.replace('"at": 5', '"at": 6'))
+    ward.session.disk.look()
+    said = ward.window.status.said.text()
+    assert said == "scenarios/first.jsonl was changed by another program: read anew."
+    assert ward.session.undo_text == "Take scenarios/first.jsonl from disk"
+
+
+def test_a_new_name_that_begins_with_the_old_one_is_put_once(ward: Any, tmp_path: Path) -> None:
+    scenario = tmp_path / "scenarios" / "first.jsonl"
+    scenario.write_text('{"at": 1, "expect": {"tag": "application/night.state"}}\n')
+    # No tag of a document may be called so.
+    (tmp_path / "a.rbd.xml").write_text(A.replace("application/night.state", "rounds"))
+    ward.session.open(tmp_path)
+    choose(ward, "night.rbd.xml")
+    ward.key(Qt.Key.Key_F2)
+    write(ward, "night.late")
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    do(ward, "save")
+    assert '"application/night.late.state"' in scenario.read_text()
+
+
+def test_a_file_is_deleted_though_another_program_took_a_file_away_that_is_open(
+    ward: Any, tmp_path: Path
+) -> None:
+    choose(ward, "turn.rbd.xml")
+    ward.key(Qt.Key.Key_Delete)
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    (tmp_path / "ward.spds.xml").unlink()
+    do(ward, "save")
+    assert [*ward.basket.held] == ["turn.rbd.xml"]
+    assert ward.session.dirty == []
