@@ -996,6 +996,14 @@
         <translation>未設定</translation>
     </message>
     <message>
+        <source>and {0} more, {1} does not hold</source>
+        <translation>ほか {0} 件、うち {1} 件は成り立たない</translation>
+    </message>
+    <message>
+        <source>and {0} more, {1} do not hold</source>
+        <translation>ほか {0} 件、うち {1} 件は成り立たない</translation>
+    </message>
+    <message>
         <source>until {0}</source>
         <translation>{0} まで</translation>
     </message>
@@ -1276,6 +1284,10 @@
         <translation>操作者だけができます。この鍵では見ることだけができます</translation>
     </message>
     <message>
+        <source>open an application of a project first</source>
+        <translation>先にプロジェクトのアプリケーションを開いてください</translation>
+    </message>
+    <message>
         <source>there is no breakpoint</source>
         <translation>ブレークポイントがありません</translation>
     </message>
@@ -1286,6 +1298,14 @@
     <message>
         <source>select data in the graph first</source>
         <translation>先にグラフでデータを選んでください</translation>
+    </message>
+    <message>
+        <source>only in the screen designer</source>
+        <translation>画面の設計でだけ使えます</translation>
+    </message>
+    <message>
+        <source>there is no guide yet: drag one out of a ruler</source>
+        <translation>ガイドはまだありません。定規から引き出してください</translation>
     </message>
     <message>
         <source>open a document first</source>
@@ -2268,6 +2288,10 @@
         <translation>通らず</translation>
     </message>
     <message>
+        <source>no scenario</source>
+        <translation>シナリオがありません</translation>
+    </message>
+    <message>
         <source>{0} % from the left, {1} % from the top</source>
         <translation>左から {0} %、上から {1} %</translation>
     </message>
@@ -2374,6 +2398,14 @@
     <message>
         <source>{0} is written</source>
         <translation>{0} に書き込みました</translation>
+    </message>
+    <message>
+        <source>nothing happens</source>
+        <translation>何も起こりません</translation>
+    </message>
+    <message>
+        <source>stays here</source>
+        <translation>ここにとどまります</translation>
     </message>
     <message>
         <source>The time</source>
@@ -2492,12 +2524,16 @@
         <translation>{0}、見るだけ</translation>
     </message>
     <message>
-        <source>lost {0} s ago</source>
-        <translation>{0} 秒前に切断</translation>
+        <source>lost {0} ago</source>
+        <translation>{0} 前に途絶えました</translation>
     </message>
     <message>
         <source>connecting to {0}</source>
         <translation>{0} に接続しています</translation>
+    </message>
+    <message>
+        <source>nobody answers at {0} for {1}; still trying</source>
+        <translation>{0} からは {1} の間応答がありません。試し続けています</translation>
     </message>
     <message>
         <source>no robot</source>
@@ -2824,6 +2860,10 @@
         <translation>ロボットがしたことは何も入っていません。</translation>
     </message>
     <message>
+        <source>{0} is empty: the robot has written nothing into it.</source>
+        <translation>{0} は空です。ロボットは何も書いていません。</translation>
+    </message>
+    <message>
         <source>{0} events are not known</source>
         <translation>出来事 {0} 件が分かりません</translation>
     </message>
@@ -2972,6 +3012,10 @@
         <translation>ファイルを読み込む…</translation>
     </message>
     <message>
+        <source>From data…</source>
+        <translation>データから…</translation>
+    </message>
+    <message>
         <source>What follows?</source>
         <translation>次は？</translation>
     </message>
@@ -2998,6 +3042,158 @@
     <message>
         <source>{0} becomes number {1}</source>
         <translation>{0} を {1} 番にします</translation>
+    </message>
+    <message>
+        <source>Write a name.</source>
+        <translation>名前を書いてください。</translation>
+    </message>
+    <message>
+        <source>A name has no / \ : * ? &quot; &lt; &gt; | {{ }} in it and begins with no dot.</source>
+        <translation>名前に / \ : * ? &quot; &lt; &gt; | {{ }} は使えず、点で始めることもできません。</translation>
+    </message>
+    <message>
+        <source>A name has no signs in it that can not be seen.</source>
+        <translation>名前に、見えない文字は使えません。</translation>
+    </message>
+    <message>
+        <source>becomes {0}</source>
+        <translation>{0} になります</translation>
+    </message>
+    <message>
+        <source>the application is called {0} in it</source>
+        <translation>その中でアプリケーションは {0} と呼ばれます</translation>
+    </message>
+    <message>
+        <source>the list of applications</source>
+        <translation>アプリケーションの一覧</translation>
+    </message>
+    <message>
+        <source>where its texts stand</source>
+        <translation>そのテキストの場所</translation>
+    </message>
+    <message>
+        <source>1 place that names it as a module</source>
+        <translation>モジュールとして挙げている所 1 か所</translation>
+    </message>
+    <message>
+        <source>{0} places that name it as a module</source>
+        <translation>モジュールとして挙げている所 {0} か所</translation>
+    </message>
+    <message>
+        <source>1 line of the scenario</source>
+        <translation>シナリオの 1 行</translation>
+    </message>
+    <message>
+        <source>{0} lines of the scenario</source>
+        <translation>シナリオの {0} 行</translation>
+    </message>
+    <message>
+        <source>1 state that runs it</source>
+        <translation>それを動かす状態 1 つ</translation>
+    </message>
+    <message>
+        <source>{0} states that run it</source>
+        <translation>それを動かす状態 {0} つ</translation>
+    </message>
+    <message>
+        <source>1 state runs it, and will have nothing to run</source>
+        <translation>それを動かす状態が 1 つあり、動かすものがなくなります</translation>
+    </message>
+    <message>
+        <source>{0} states run it, and will have nothing to run</source>
+        <translation>それを動かす状態が {0} つあり、動かすものがなくなります</translation>
+    </message>
+    <message>
+        <source>lines of the scenario</source>
+        <translation>シナリオの行</translation>
+    </message>
+    <message>
+        <source>The robot was lost meanwhile and is not asked again: see how it is now, and ask anew.</source>
+        <translation>その間にロボットとの接続が切れたため、もう一度は要求しませんでした。今の様子を見て、改めて要求してください。</translation>
+    </message>
+    <message>
+        <source>bookmark {0}</source>
+        <translation>しおり {0}</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>その他</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>ページ</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大きさ</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>ページ</translation>
+    </message>
+    <message>
+        <source>Take {0} from disk</source>
+        <translation>ディスク上の {0} を使う</translation>
+    </message>
+    <message>
+        <source>Join {0} with disk</source>
+        <translation>{0} をディスクと統合</translation>
+    </message>
+    <message>
+        <source>at the left edge of the screen</source>
+        <translation>画面の左端</translation>
+    </message>
+    <message>
+        <source>at the right edge of the screen</source>
+        <translation>画面の右端</translation>
+    </message>
+    <message>
+        <source>in the middle of the screen, across</source>
+        <translation>画面の左右の中央</translation>
+    </message>
+    <message>
+        <source>left edge level with {0}</source>
+        <translation>左端が {0} と揃っています</translation>
+    </message>
+    <message>
+        <source>right edge level with {0}</source>
+        <translation>右端が {0} と揃っています</translation>
+    </message>
+    <message>
+        <source>middle level with {0}, across</source>
+        <translation>左右の中央が {0} と揃っています</translation>
+    </message>
+    <message>
+        <source>at the upper edge of the screen</source>
+        <translation>画面の上端</translation>
+    </message>
+    <message>
+        <source>at the lower edge of the screen</source>
+        <translation>画面の下端</translation>
+    </message>
+    <message>
+        <source>in the middle of the screen, up and down</source>
+        <translation>画面の上下の中央</translation>
+    </message>
+    <message>
+        <source>upper edge level with {0}</source>
+        <translation>上端が {0} と揃っています</translation>
+    </message>
+    <message>
+        <source>lower edge level with {0}</source>
+        <translation>下端が {0} と揃っています</translation>
+    </message>
+    <message>
+        <source>middle level with {0}, up and down</source>
+        <translation>上下の中央が {0} と揃っています</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Open a copy of the example {0}</source>
+        <translation>例 {0} のコピーを開く</translation>
     </message>
 </context>
 <context>
@@ -3097,6 +3293,53 @@
     </message>
 </context>
 <context>
+    <name>ApplicationFiles</name>
+    <message>
+        <source>{0} is not in this project.</source>
+        <translation>{0} はこのプロジェクトにありません。</translation>
+    </message>
+    <message>
+        <source>Write another name.</source>
+        <translation>別の名前を書いてください。</translation>
+    </message>
+    <message>
+        <source>There is a file {0} already: choose another name.</source>
+        <translation>{0} というファイルがもうあります。別の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>There is a module {0} already: choose another name.</source>
+        <translation>{0} というモジュールがもうあります。別の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>Rename application {0}</source>
+        <translation>アプリケーション {0} の名前を変える</translation>
+    </message>
+    <message>
+        <source>It is the only application: a project has at least one.</source>
+        <translation>これはただ一つのアプリケーションです。プロジェクトには少なくとも一つ要ります。</translation>
+    </message>
+    <message>
+        <source>Delete {0}</source>
+        <translation>{0} を削除</translation>
+    </message>
+    <message>
+        <source>{0} has errors: mend them first, or what they name would be lost.</source>
+        <translation>{0} にエラーがあります。そこに挙げたものが失われるので、先に直してください。</translation>
+    </message>
+    <message>
+        <source>Another program changed {0}: decide first which one stays.</source>
+        <translation>ほかのプログラムが {0} を変えました。どちらを残すか先に決めてください。</translation>
+    </message>
+    <message>
+        <source>A document with errors refers to it: mend it first.</source>
+        <translation>エラーのある書類がこれを参照しています。先にそれを直してください。</translation>
+    </message>
+    <message>
+        <source>{0} could not go into the waste basket: it stays in the folder.</source>
+        <translation>{0} をごみ箱に入れられませんでした。フォルダーに残っています。</translation>
+    </message>
+</context>
+<context>
     <name>ApplicationList</name>
     <message>
         <source>New application…</source>
@@ -3129,6 +3372,14 @@
     <message>
         <source>{0} is no application.</source>
         <translation>{0} はアプリケーションではありません。</translation>
+    </message>
+    <message>
+        <source>{0} has errors: mend them first, or what they name would be lost.</source>
+        <translation>{0} にエラーがあります。そこに挙げたものが失われるので、先に直してください。</translation>
+    </message>
+    <message>
+        <source>Duplicate application {0}</source>
+        <translation>アプリケーション {0} を複製</translation>
     </message>
     <message>
         <source>Remove {0}</source>
@@ -3203,6 +3454,13 @@
     <message>
         <source>File</source>
         <translation>ファイル</translation>
+    </message>
+</context>
+<context>
+    <name>ChosenRecording</name>
+    <message>
+        <source>Reading {0}</source>
+        <translation>{0} を読み込み中</translation>
     </message>
 </context>
 <context>
@@ -3288,10 +3546,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Another run below this one, and where they part</source>
         <translation>別の実行を下に並べ、どこで分かれるかを見ます</translation>
-    </message>
-    <message>
-        <source>Reading {0}</source>
-        <translation>{0} を読み込み中</translation>
     </message>
     <message>
         <source>the robot</source>
@@ -3500,6 +3754,33 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Looking for robots… One that only its own machine reaches does not announce itself.</source>
         <translation>ロボットを探しています… 自分の機械からしか届かないロボットは、自分を知らせません。</translation>
+    </message>
+</context>
+<context>
+    <name>DeleteApplication</name>
+    <message>
+        <source>Delete application</source>
+        <translation>アプリケーションを削除</translation>
+    </message>
+    <message>
+        <source>Delete {0}?</source>
+        <translation>{0} を削除しますか？</translation>
+    </message>
+    <message>
+        <source>Undo brings it back. When you save, the file goes into the waste basket.</source>
+        <translation>「元に戻す」で戻せます。保存すると、ファイルはごみ箱に入ります。</translation>
+    </message>
+    <message>
+        <source>Still refers to it, and will not work any more</source>
+        <translation>まだ参照していて、動かなくなるもの</translation>
+    </message>
+    <message>
+        <source>Nothing else refers to it.</source>
+        <translation>ほかに参照しているものはありません。</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>削除</translation>
     </message>
 </context>
 <context>
@@ -3772,6 +4053,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Goes on</source>
         <translation>続いているもの</translation>
+    </message>
+    <message>
+        <source>Rehearsal</source>
+        <translation>リハーサル</translation>
     </message>
     <message>
         <source>Data</source>
@@ -4246,6 +4531,18 @@ Draw what a robot says, shows and does.</source>
         <source>Where shall the copy of the project be?</source>
         <translation>プロジェクトのコピーを置く場所</translation>
     </message>
+    <message>
+        <source>Save first: what is saved is exported.</source>
+        <translation>先に保存してください。保存されたものが書き出されます。</translation>
+    </message>
+    <message>
+        <source>Where shall the folder for the robot be?</source>
+        <translation>ロボット用のフォルダーをどこに置きますか？</translation>
+    </message>
+    <message>
+        <source>Exported to {0}</source>
+        <translation>{0} に書き出しました</translation>
+    </message>
 </context>
 <context>
     <name>FindAnything</name>
@@ -4269,8 +4566,8 @@ Draw what a robot says, shows and does.</source>
 <context>
     <name>Finding</name>
     <message>
-        <source>States, texts, events, tags</source>
-        <translation>状態、文章、イベント、タグ</translation>
+        <source>States, texts, events, tags, notes</source>
+        <translation>状態、テキスト、イベント、タグ、メモ</translation>
     </message>
     <message>
         <source>Find in the project</source>
@@ -4283,6 +4580,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Found</source>
         <translation>見つかったもの</translation>
+    </message>
+    <message>
+        <source>Write a word or a name: every place of the project in which it stands is listed here, and Enter goes there.</source>
+        <translation>言葉や名前を書くと、プロジェクトの中でそれがある所がすべてここに並び、Enter でそこへ移ります。</translation>
     </message>
     <message>
         <source>F3 goes from one to the next</source>
@@ -4388,6 +4689,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>, {0} events missed</source>
         <translation>、出来事 {0} 件が抜けています</translation>
+    </message>
+    <message>
+        <source>, same as it ran</source>
+        <translation>、動いていたものと同じ</translation>
     </message>
     <message>
         <source>, project {0}, not {1}</source>
@@ -4520,6 +4825,44 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Remove this group</source>
         <translation>このグループを削除</translation>
+    </message>
+    <message>
+        <source>Nothing in it yet: add a test or a group.</source>
+        <translation>まだ何もありません。条件かグループを加えてください。</translation>
+    </message>
+</context>
+<context>
+    <name>GuideLine</name>
+    <message>
+        <source>Arrows move it by 1 %, with Shift by 10 %, with Alt by 0.1 %; Del removes it.</source>
+        <translation>矢印キーで 1 %、Shift では 10 %、Alt では 0.1 % 動きます。Del で取り除きます。</translation>
+    </message>
+    <message>
+        <source>Upright guide at {0} %</source>
+        <translation>縦のガイド {0} %</translation>
+    </message>
+    <message>
+        <source>Lying guide at {0} %</source>
+        <translation>横のガイド {0} %</translation>
+    </message>
+</context>
+<context>
+    <name>Guiding</name>
+    <message>
+        <source>Add a guide</source>
+        <translation>ガイドを加える</translation>
+    </message>
+    <message>
+        <source>Remove all guides</source>
+        <translation>ガイドをすべて取り除く</translation>
+    </message>
+    <message>
+        <source>Move a guide</source>
+        <translation>ガイドを動かす</translation>
+    </message>
+    <message>
+        <source>Remove a guide</source>
+        <translation>ガイドを取り除く</translation>
     </message>
 </context>
 <context>
@@ -4687,6 +5030,18 @@ Draw what a robot says, shows and does.</source>
         <translation>バージョン {0}</translation>
     </message>
     <message>
+        <source>not told; an older one</source>
+        <translation>不明（古いもの）</translation>
+    </message>
+    <message>
+        <source>{0}, as here</source>
+        <translation>{0}、ここと同じ</translation>
+    </message>
+    <message>
+        <source>{0}; here it is {1}</source>
+        <translation>{0}、ここは {1}</translation>
+    </message>
+    <message>
         <source>Address</source>
         <translation>アドレス</translation>
     </message>
@@ -4717,6 +5072,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>It runs</source>
         <translation>動いているもの</translation>
+    </message>
+    <message>
+        <source>Its Situ</source>
+        <translation>ロボットの Situ</translation>
     </message>
     <message>
         <source>not known yet</source>
@@ -4761,44 +5120,8 @@ Draw what a robot says, shows and does.</source>
         <translation>了解</translation>
     </message>
     <message>
-        <source>Situ Studio</source>
-        <translation>Situ Studio</translation>
-    </message>
-    <message>
         <source>{0} has errors: it can be read, not changed.</source>
         <translation>{0} には誤りがあります。見ることはできますが、変更はできません。</translation>
-    </message>
-    <message>
-        <source>Undo: {0}</source>
-        <translation>元に戻す：{0}</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>元に戻す</translation>
-    </message>
-    <message>
-        <source>Redo: {0}</source>
-        <translation>やり直す：{0}</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>やり直す</translation>
-    </message>
-    <message>
-        <source>Outline</source>
-        <translation>アウトライン</translation>
-    </message>
-    <message>
-        <source>Modules</source>
-        <translation>モジュール</translation>
-    </message>
-    <message>
-        <source>Nothing is selected.</source>
-        <translation>何も選ばれていません。</translation>
-    </message>
-    <message>
-        <source>{0}{1} — Situ Studio</source>
-        <translation>{0}{1} — Situ Studio</translation>
     </message>
 </context>
 <context>
@@ -4996,6 +5319,10 @@ Draw what a robot says, shows and does.</source>
         <translation>その間に変わったので、もう直すところはありません。</translation>
     </message>
     <message>
+        <source>Mended: {0}</source>
+        <translation>直しました: {0}</translation>
+    </message>
+    <message>
         <source>Mending all problems of one kind</source>
         <translation>同じ種類の問題をすべて直しています</translation>
     </message>
@@ -5099,10 +5426,6 @@ Draw what a robot says, shows and does.</source>
 </context>
 <context>
     <name>OperatingSide</name>
-    <message>
-        <source>Where the robot is paused</source>
-        <translation>ロボットが止まっているところ</translation>
-    </message>
     <message>
         <source>Breakpoints</source>
         <translation>ブレークポイント</translation>
@@ -5237,6 +5560,60 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>Palette</name>
+    <message>
+        <source>Open a drawing to add to it.</source>
+        <translation>図を開くと、加えられます。</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>動作</translation>
+    </message>
+    <message>
+        <source>On its screen</source>
+        <translation>画面に出すもの</translation>
+    </message>
+</context>
+<context>
+    <name>PanelsSide</name>
+    <message>
+        <source>Outline</source>
+        <translation>アウトライン</translation>
+    </message>
+    <message>
+        <source>Modules</source>
+        <translation>モジュール</translation>
+    </message>
+    <message>
+        <source>What is selected in a drawing can be changed here.</source>
+        <translation>図で選んだものをここで変えられます。</translation>
+    </message>
+    <message>
+        <source>Undo: {0}</source>
+        <translation>元に戻す：{0}</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Redo: {0}</source>
+        <translation>やり直す：{0}</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直す</translation>
+    </message>
+    <message>
+        <source>Situ Studio</source>
+        <translation>Situ Studio</translation>
+    </message>
+    <message>
+        <source>{0}{1} — Situ Studio</source>
+        <translation>{0}{1} — Situ Studio</translation>
+    </message>
+</context>
+<context>
     <name>PartsSide</name>
     <message>
         <source>{0} is not in this project.</source>
@@ -5347,6 +5724,17 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>PreviewPage</name>
+    <message>
+        <source>The movie ends</source>
+        <translation>動画が終わる</translation>
+    </message>
+    <message>
+        <source>The movie can not be played</source>
+        <translation>動画を再生できない</translation>
+    </message>
+</context>
+<context>
     <name>PreviewWindow</name>
     <message>
         <source>Preview, {0}</source>
@@ -5383,6 +5771,10 @@ Draw what a robot says, shows and does.</source>
 </context>
 <context>
     <name>PrioritiesEditor</name>
+    <message>
+        <source>Priority of {0}</source>
+        <translation>{0} の優先度</translation>
+    </message>
     <message>
         <source>Add a priority for {0}</source>
         <translation>{0} の優先度を加える</translation>
@@ -5670,6 +6062,29 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>RecentList</name>
+    <message>
+        <source>Remove from the list</source>
+        <translation>一覧から取り除く</translation>
+    </message>
+    <message>
+        <source>Not there any more</source>
+        <translation>もうありません</translation>
+    </message>
+    <message>
+        <source>Locate…</source>
+        <translation>場所を指定…</translation>
+    </message>
+    <message>
+        <source>Say where this project is now</source>
+        <translation>プロジェクトの今の場所を指定します</translation>
+    </message>
+    <message>
+        <source>Projects that you open will be listed here.</source>
+        <translation>開いたプロジェクトがここに並びます。</translation>
+    </message>
+</context>
+<context>
     <name>Recovery</name>
     <message>
         <source>Unsaved changes can not be kept for the next start ({0}): save soon</source>
@@ -5716,7 +6131,42 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>RenameApplication</name>
+    <message>
+        <source>Rename application</source>
+        <translation>アプリケーションの名前を変える</translation>
+    </message>
+    <message>
+        <source>Name of the file</source>
+        <translation>ファイルの名前</translation>
+    </message>
+    <message>
+        <source>The application is called so too, not {0}</source>
+        <translation>アプリケーションも {0} ではなくこの名前にする</translation>
+    </message>
+    <message>
+        <source>The application itself is called so too</source>
+        <translation>アプリケーション自体もこの名前にする</translation>
+    </message>
+    <message>
+        <source>What changes</source>
+        <translation>変わるもの</translation>
+    </message>
+    <message>
+        <source>All of it is one step, which Undo takes back; files change when you save.</source>
+        <translation>すべてが一つの操作で、「元に戻す」で戻せます。ファイルは保存したときに変わります。</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>名前の変更</translation>
+    </message>
+</context>
+<context>
     <name>RobotLink</name>
+    <message>
+        <source>The robot does not answer. It is looked for; ask again once it is there.</source>
+        <translation>ロボットが応答しません。探しています。見つかったら、もう一度要求してください。</translation>
+    </message>
     <message>
         <source>No robot is connected.</source>
         <translation>ロボットに接続していません。</translation>
@@ -5746,10 +6196,6 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Trace</source>
         <translation>トレース</translation>
-    </message>
-    <message>
-        <source>Reading {0}</source>
-        <translation>{0} を読み込み中</translation>
     </message>
     <message>
         <source>Bookmark</source>
@@ -5792,6 +6238,25 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Remove {0}</source>
         <translation>{0} を取り除く</translation>
+    </message>
+</context>
+<context>
+    <name>Ruler</name>
+    <message>
+        <source>Ruler above</source>
+        <translation>上の定規</translation>
+    </message>
+    <message>
+        <source>Ruler at the left</source>
+        <translation>左の定規</translation>
+    </message>
+    <message>
+        <source>Drag from here down: a guide across the screen</source>
+        <translation>ここから下へドラッグすると、画面を横切るガイドができます</translation>
+    </message>
+    <message>
+        <source>Drag from here to the right: a guide down the screen</source>
+        <translation>ここから右へドラッグすると、画面を縦に通るガイドができます</translation>
     </message>
 </context>
 <context>
@@ -5891,6 +6356,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>How often they came through each state and transition, on the drawings</source>
         <translation>各状態と遷移を通った回数を図に表示します</translation>
+    </message>
+    <message>
+        <source>A scenario is what people and sensors do, and what shall happen then. Run all plays those of this project. A new one is a rehearsal that is saved: press Rehearse, do what people would do, and then Save as a scenario.</source>
+        <translation>シナリオは、人やセンサーがすることと、そのとき起こるべきことです。「すべて実行」はこのプロジェクトのシナリオを実行します。新しいシナリオは、リハーサルを保存したものです。「リハーサル」を押し、人がすることをしてから、シナリオとして保存してください。</translation>
     </message>
     <message>
         <source>Not run yet</source>
@@ -6150,17 +6619,6 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
-    <name>Session</name>
-    <message>
-        <source>Take {0} from disk</source>
-        <translation>ディスク上の {0} を使う</translation>
-    </message>
-    <message>
-        <source>Join {0} with disk</source>
-        <translation>{0} をディスクと統合</translation>
-    </message>
-</context>
-<context>
     <name>SettingDialog</name>
     <message>
         <source>Set a value</source>
@@ -6371,6 +6829,30 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>{0} events</source>
         <translation>イベント {0} 個</translation>
+    </message>
+    <message>
+        <source>{0} action</source>
+        <translation>動作 {0} 件</translation>
+    </message>
+    <message>
+        <source>{0} actions</source>
+        <translation>動作 {0} 件</translation>
+    </message>
+    <message>
+        <source>{0} screen</source>
+        <translation>画面 {0} 件</translation>
+    </message>
+    <message>
+        <source>{0} screens</source>
+        <translation>画面 {0} 件</translation>
+    </message>
+    <message>
+        <source>{0} component</source>
+        <translation>部品 {0} 件</translation>
+    </message>
+    <message>
+        <source>{0} components</source>
+        <translation>画面の部品 {0} 個</translation>
     </message>
     <message>
         <source>{0} timeout</source>
@@ -6633,6 +7115,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>for</source>
         <translation>継続</translation>
+    </message>
+    <message>
+        <source>Test of {0}</source>
+        <translation>{0} の条件</translation>
     </message>
 </context>
 <context>
@@ -6905,6 +7391,37 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
+    <name>TutorialWindow</name>
+    <message>
+        <source>Tutorial</source>
+        <translation>チュートリアル</translation>
+    </message>
+    <message>
+        <source>The step before</source>
+        <translation>前のステップ</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>次のステップ</translation>
+    </message>
+    <message>
+        <source>What is to be done then</source>
+        <translation>そのときにすること</translation>
+    </message>
+    <message>
+        <source>Step {0} of {1}</source>
+        <translation>ステップ {0}／{1}</translation>
+    </message>
+    <message>
+        <source>{0} steps</source>
+        <translation>全 {0} ステップ</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>始める</translation>
+    </message>
+</context>
+<context>
     <name>Twin</name>
     <message>
         <source>Outline of the document</source>
@@ -7058,6 +7575,22 @@ Draw what a robot says, shows and does.</source>
         <translation>ようこそ</translation>
     </message>
     <message>
+        <source>Tutorial, a quarter of an hour</source>
+        <translation>チュートリアル（15 分）</translation>
+    </message>
+    <message>
+        <source>A first robot from nothing, one step at a time</source>
+        <translation>最初のロボットを何もないところから、一歩ずつ</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>はじめに</translation>
+    </message>
+    <message>
+        <source>What a project is, and how one begins; F1 explains the rest</source>
+        <translation>プロジェクトとは何か、どう始めるか。ほかは F1 が説明します</translation>
+    </message>
+    <message>
         <source>Language</source>
         <translation>言語</translation>
     </message>
@@ -7146,36 +7679,12 @@ Draw what a robot says, shows and does.</source>
         <translation>状況、優先度、停止</translation>
     </message>
     <message>
-        <source>Open a copy of the example {0}</source>
-        <translation>例 {0} のコピーを開く</translation>
-    </message>
-    <message>
         <source>Back to {0}</source>
         <translation>{0} に戻る</translation>
     </message>
     <message>
         <source>It is still open</source>
         <translation>まだ開いています</translation>
-    </message>
-    <message>
-        <source>Remove from the list</source>
-        <translation>一覧から取り除く</translation>
-    </message>
-    <message>
-        <source>Not there any more</source>
-        <translation>もうありません</translation>
-    </message>
-    <message>
-        <source>Locate…</source>
-        <translation>場所を指定…</translation>
-    </message>
-    <message>
-        <source>Say where this project is now</source>
-        <translation>プロジェクトの今の場所を指定します</translation>
-    </message>
-    <message>
-        <source>Projects that you open will be listed here.</source>
-        <translation>開いたプロジェクトがここに並びます。</translation>
     </message>
 </context>
 <context>
@@ -7683,6 +8192,18 @@ A right click or the down key gives other values.</source>
         <translation>90 %</translation>
     </message>
     <message>
+        <source>A first robot in a quarter of an hour, from nothing, one step at a time.</source>
+        <translation>最初のロボットを 15 分で、何もないところから一歩ずつ作ります。</translation>
+    </message>
+    <message>
+        <source>A line across the screens of this application, which edges are drawn to; arrows move it.</source>
+        <translation>このアプリケーションの画面を横切る線です。部品の端が引き寄せられ、矢印キーで動きます。</translation>
+    </message>
+    <message>
+        <source>A line down the screens of this application, which edges are drawn to; arrows move it.</source>
+        <translation>このアプリケーションの画面を縦に通る線です。部品の端が引き寄せられ、矢印キーで動きます。</translation>
+    </message>
+    <message>
         <source>Adds that to which the selected leads.</source>
         <translation>選んだものから続くものも選びます。</translation>
     </message>
@@ -7723,6 +8244,14 @@ A right click or the down key gives other values.</source>
         <translation>イベント、タグ、モジュールの名前を、プロジェクトのすべての文書で変えます。</translation>
     </message>
     <message>
+        <source>Another application that begins like this one.</source>
+        <translation>これと同じところから始める、もう一つのアプリケーション。</translation>
+    </message>
+    <message>
+        <source>Another name for its file, and for all in the project that refers to it.</source>
+        <translation>ファイルの名前と、プロジェクトの中でそれを参照しているものすべてを変えます。</translation>
+    </message>
+    <message>
         <source>Another run stands below this one in the timeline, and where they part is marked.</source>
         <translation>タイムラインで別の実行を下に並べ、分かれるところに印を付けます。</translation>
     </message>
@@ -7733,6 +8262,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Arrows</source>
         <translation>矢印</translation>
+    </message>
+    <message>
+        <source>Arrows, Del on a guide</source>
+        <translation>ガイドの上で矢印キー、Del</translation>
     </message>
     <message>
         <source>As if it had happened: the one of the selected transition, or any other.</source>
@@ -7803,6 +8336,14 @@ A right click or the down key gives other values.</source>
         <translation>Del</translation>
     </message>
     <message>
+        <source>Delete application…</source>
+        <translation>アプリケーションを削除…</translation>
+    </message>
+    <message>
+        <source>Delete the application of the row</source>
+        <translation>行のアプリケーションを削除</translation>
+    </message>
+    <message>
         <source>Delete the selected components</source>
         <translation>選んだ画面の部品を削除</translation>
     </message>
@@ -7821,6 +8362,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Draw the folded pipe, or fold it</source>
         <translation>畳んだ線を描く・線を畳む</translation>
+    </message>
+    <message>
+        <source>Duplicate application</source>
+        <translation>アプリケーションを複製</translation>
     </message>
     <message>
         <source>Each is done from the start, and what shall happen is looked for.</source>
@@ -7869,6 +8414,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Everything</source>
         <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Export for a robot…</source>
+        <translation>ロボット用に書き出す…</translation>
     </message>
     <message>
         <source>Export picture…</source>
@@ -7941,6 +8490,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Guard</source>
         <translation>条件</translation>
+    </message>
+    <message>
+        <source>Guides</source>
+        <translation>ガイド</translation>
     </message>
     <message>
         <source>Help</source>
@@ -8079,6 +8632,10 @@ A right click or the down key gives other values.</source>
         <translation>モジュール</translation>
     </message>
     <message>
+        <source>Move it by 1 %, with Shift by 10 %, with Alt by 0.1 %; remove it</source>
+        <translation>1 % 動かす（Shift で 10 %、Alt で 0.1 %）、取り除く</translation>
+    </message>
+    <message>
         <source>Move the drawing</source>
         <translation>図を動かす</translation>
     </message>
@@ -8103,8 +8660,16 @@ A right click or the down key gives other values.</source>
         <translation>動画</translation>
     </message>
     <message>
+        <source>New lying guide</source>
+        <translation>新しい横のガイド</translation>
+    </message>
+    <message>
         <source>New project…</source>
         <translation>新しいプロジェクト…</translation>
+    </message>
+    <message>
+        <source>New upright guide</source>
+        <translation>新しい縦のガイド</translation>
     </message>
     <message>
         <source>New window</source>
@@ -8153,6 +8718,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Of a module in the selected situation, also one that is taken over.</source>
         <translation>選んだ状況でのモジュールの優先度。引き継いだものも変えられます。</translation>
+    </message>
+    <message>
+        <source>Of all screens of this application.</source>
+        <translation>このアプリケーションのすべての画面から。</translation>
     </message>
     <message>
         <source>Once current, the situation holds until this does.</source>
@@ -8259,12 +8828,24 @@ A right click or the down key gives other values.</source>
         <translation>ブレークポイントをすべて取り除く</translation>
     </message>
     <message>
+        <source>Remove all guides</source>
+        <translation>ガイドをすべて取り除く</translation>
+    </message>
+    <message>
         <source>Rename</source>
         <translation>名前の変更</translation>
     </message>
     <message>
+        <source>Rename application…</source>
+        <translation>アプリケーションの名前を変える…</translation>
+    </message>
+    <message>
         <source>Rename everywhere…</source>
         <translation>すべての箇所で名前を変更…</translation>
+    </message>
+    <message>
+        <source>Rename the application of the row</source>
+        <translation>行のアプリケーションの名前を変える</translation>
     </message>
     <message>
         <source>Rename the selected card; Tab goes on to the next one</source>
@@ -8383,6 +8964,10 @@ A right click or the down key gives other values.</source>
         <translation>選択範囲を表示</translation>
     </message>
     <message>
+        <source>Shows first what still refers to it; Undo brings it back.</source>
+        <translation>まだ参照しているものを先に示します。「元に戻す」で戻せます。</translation>
+    </message>
+    <message>
         <source>Shows the application that the selected state runs.</source>
         <translation>選んだ状態が動かすアプリケーションを表示します。</translation>
     </message>
@@ -8437,6 +9022,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Step in the rehearsal</source>
         <translation>リハーサルを一つ進める</translation>
+    </message>
+    <message>
+        <source>Tab behind the last component</source>
+        <translation>最後の部品の次で Tab</translation>
     </message>
     <message>
         <source>Tab, Shift+Tab</source>
@@ -8513,6 +9102,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>The graph, and beside it the screen of the selected state</source>
         <translation>グラフと、その横に選んだ状態の画面</translation>
+    </message>
+    <message>
+        <source>The guides, one after the other</source>
+        <translation>ガイドを順に</translation>
     </message>
     <message>
         <source>The module can not move the robot in this situation, whatever it takes over.</source>
@@ -8635,6 +9228,10 @@ A right click or the down key gives other values.</source>
         <translation>前の遷移か線</translation>
     </message>
     <message>
+        <source>Tutorial</source>
+        <translation>チュートリアル</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>元に戻す</translation>
     </message>
@@ -8661,6 +9258,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Welcome page</source>
         <translation>ようこそページ</translation>
+    </message>
+    <message>
+        <source>What a robot needs of the project, in a folder of its own, to be carried there.</source>
+        <translation>プロジェクトのうちロボットに要るものを、持ち運べるように別のフォルダーへ出します。</translation>
     </message>
     <message>
         <source>What can be done about the problems of what is selected.</source>
@@ -8813,6 +9414,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>On the canvas</source>
         <translation>キャンバス上</translation>
+    </message>
+    <message>
+        <source>In the project&apos;s tree</source>
+        <translation>プロジェクトのツリーで</translation>
     </message>
     <message>
         <source>On the screen of a state</source>
@@ -9401,8 +10006,8 @@ A right click or the down key gives other values.</source>
         <translation>表示を日本語にします。</translation>
     </message>
     <message>
-        <source>The tutorial, docs/tutorial.md, draws a robot that measures the blood pressure from nothing in a quarter of an hour.</source>
-        <translation>チュートリアル docs/tutorial.md では、血圧を測るロボットを何もないところから 15 分で描きます。</translation>
+        <source>The tutorial (Help, Tutorial) draws a robot that measures the blood pressure from nothing in a quarter of an hour.</source>
+        <translation>チュートリアル（ヘルプ、チュートリアル）では、血圧を測るロボットを何もないところから 15 分で描きます。</translation>
     </message>
     <message>
         <source>The upper edges come to stand at one height.</source>
@@ -13023,6 +13628,10 @@ A right click or the down key gives other values.</source>
         <translation>{0}（{1} に {2} が設定）</translation>
     </message>
     <message>
+        <source>{0}: is not empty; name a new or an empty folder</source>
+        <translation>{0}: 空ではありません。新しいフォルダーか空のフォルダーを指定してください</translation>
+    </message>
+    <message>
         <source>{0}: it holds a trace without inputs, so it can not be decided again; record with situ run --record</source>
         <translation>{0}：入力のないトレースなので、もう一度判断させることはできません。situ run --record で記録してください</translation>
     </message>
@@ -13065,6 +13674,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>{0}: the project that it holds can not be read</source>
         <translation>{0}：中のプロジェクトを読めません</translation>
+    </message>
+    <message>
+        <source>{0}: there is a file of this name; name another folder</source>
+        <translation>{0}: その名前のファイルがあります。別のフォルダーを指定してください</translation>
     </message>
     <message>
         <source>{0}: {1} had passed</source>
