@@ -201,7 +201,7 @@ def test_commands_that_are_typed_for_are_heard_row_by_row(
     used.type("reh")
     assert told[-1] == "Rehearse F5"
     used.key(Qt.Key.Key_Down)
-    assert told[-1] == "End the rehearsal only while you rehearse"
+    assert told[-1] == "Step in the rehearsal only while you rehearse"
     used.key(Qt.Key.Key_Escape)
 
 

@@ -96,16 +96,20 @@ ARRANGE: tuple[Command, ...] = (
                 "x",
                 "guide_upright",
                 "New upright guide",
-                "A line down the screens of this application, which edges are drawn to; "
-                "arrows move it.",
+                (
+                    "A line down the screens of this application, which edges are drawn to; "
+                    "arrows move it."
+                ),
             ),
             (
                 "lying",
                 "y",
                 "guide_lying",
                 "New lying guide",
-                "A line across the screens of this application, which edges are drawn to; "
-                "arrows move it.",
+                (
+                    "A line across the screens of this application, which edges are drawn to; "
+                    "arrows move it."
+                ),
             ),
         )
     ),
