@@ -82,6 +82,7 @@ def test_a_voice_is_given_what_it_can_say(
         ("ふみ", "Fumi"),
         ("ユーコ", "Yuko"),
         ("ティナ ファン ウィン ヴァン", "Tina Fan Win Van"),
+        ("ジェーン シェリー チェン", "Jen Sheri Chen"),
         ("あっ", "A"),
         ("ゃ ぃ", "Ya I"),
     ],

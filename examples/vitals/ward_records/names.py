@@ -19,6 +19,8 @@ _LETTER = "[\u3041-\u3096\u30a1-\u30fa]"
 _KANA = re.compile(f"{_LETTER}(?:{_LETTER}|[\u30fc\u30fb ])*")
 _UNICODE_NAME = re.compile(r"(?:HIRAGANA|KATAKANA) LETTER (SMALL )?(\w+)")
 _HEPBURN = {"SI": "SHI", "TI": "CHI", "TU": "TSU", "HU": "FU", "ZI": "JI", "DI": "JI", "DU": "ZU"}
+_WITH_A_Y = ("SHI", "CHI", "JI")
+"""What is written so has a Y of its own, which a small kana after it has not once more."""
 
 
 def needs_kana(name: str) -> bool:
@@ -66,9 +68,8 @@ def latin(kana: str) -> str:
         elif small and sound == "TU":
             made.append("*")
         elif small and sound[0] == "Y" and before.endswith("I"):
-            # The sound before it has a Y of its own where it is written SH, CH or J.
-            made[-1] = before[:-1] + (sound[1:] if before in ("SHI", "CHI", "JI") else sound)
-        elif small and sound in "AIUEO" and before[-1:] in ("E", "U"):
+            made[-1] = before[:-1] + (sound[1:] if before in _WITH_A_Y else sound)
+        elif small and sound in "AIUEO" and (before[-1:] in ("E", "U") or before in _WITH_A_Y):
             made[-1] = (before[:-1] or "W") + sound
         else:
             made.append(_HEPBURN.get(sound, sound))
