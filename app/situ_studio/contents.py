@@ -234,13 +234,18 @@ class Contents:
 
     def adopt(self, project: Project) -> set[str] | None:
         """Takes the list of documents of ``project``, which was read anew, and with it those that
-        came; documents that are here stay as they are. Gives the files that are gone.
+        came; documents that are here stay as they are, and what was taken away here stays away.
+        Gives the files that are gone.
 
         None, and nothing is done, where that would take away what is not saved, or make it
         another kind of document.
         """
         before, mine = self.project, {file: self.need(file) for file in self.files}
-        dirty = [*self.changed, *self.removed]
+        dirty, toml = self.changed, self.beside.get(PROJECT_FILE)
+        for file in self.removed:
+            project = project_documents.without(project, file)
+        if PROJECT_FILE in dirty and isinstance(toml, Toml):
+            project, _ = beside.grouped(project, toml, {})
         self.project = project
         lost = [file for file in dirty if file not in self.every]
         other = [f for f in self.files if f in mine and type(mine[f]) is not type(self.document(f))]

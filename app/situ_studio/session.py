@@ -363,13 +363,19 @@ class Session(QObject):
         contents = self.contents
         documents = {file: contents.need(file) for file in contents.every}
         target = projects.copy_project(contents.project, contents.texts, parent)
+        for file in contents.removed:
+            (target / file).unlink(missing_ok=True)
+            contents.let_go(file)
+            contents.forget_saved(file)
         for file, document in documents.items():
             (target / file).parent.mkdir(parents=True, exist_ok=True)
             folder.write(target / file, write(document))
-        self.move(target if contents.project.toml is not None else target / contents.files[0])
         for file, document in documents.items():
             contents.see_saved(file, document)
-        self.disk.begin(target, contents.files, beside.files(contents.project))
+        # Before it is looked for what is other there: that is how it was written here.
+        watched = [file for file in documents if not beside.is_beside(file)]
+        self.disk.begin(target, watched, beside.files(contents.project))
+        self.move(target if contents.project.toml is not None else target / contents.files[0])
         self._saved_at = self.now()
         self.stack_changed.emit()
 

@@ -530,3 +530,50 @@ def test_a_file_is_deleted_though_another_program_took_a_file_away_that_is_open(
     do(ward, "save")
     assert [*ward.basket.held] == ["turn.rbd.xml"]
     assert ward.session.dirty == []
+
+
+def test_what_was_deleted_stays_away_when_another_program_writes_beside_it(
+    ward: Any, tmp_path: Path
+) -> None:
+    for file in ("night.rbd.xml", "turn.rbd.xml"):
+        choose(ward, file)
+        ward.key(Qt.Key.Key_Delete)
+        key(ward, Qt.Key.Key_Return)
+        ward.settle()
+    dirty = ward.session.dirty
+    (tmp_path / "texts" / "ja.po").write_text(PO.replace("おやすみなさい", "おやすみ"))
+    ward.session.disk.look()
+    assert ward.session.files == ["a.rbd.xml", "ward.spds.xml"]
+    assert ward.session.dirty == dirty
+    assert ward.session.project.texts["ja"] == {"Good night": "おやすみ"}
+    do(ward, "save")
+    assert sorted(ward.basket.held) == ["night.rbd.xml", "turn.rbd.xml"]
+    assert ward.session.dirty == []
+
+
+def test_what_was_taken_off_the_list_stays_off_when_another_program_writes_beside_it(
+    ward: Any, tmp_path: Path
+) -> None:
+    ward.window.pages.applications.remove("night.rbd.xml")
+    (tmp_path / "texts" / "ja.po").write_text(PO + "\n#\n")
+    ward.session.disk.look()
+    assert "night.rbd.xml" not in ward.session.files
+    do(ward, "undo")
+    assert "night.rbd.xml" in ward.session.files
+    assert ward.session.dirty == []
+
+
+def test_a_copy_of_the_project_has_nothing_of_what_was_deleted(ward: Any, tmp_path: Path) -> None:
+    choose(ward, "turn.rbd.xml")
+    ward.key(Qt.Key.Key_Delete)
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    ward.session.save_copy(tmp_path.with_name(f"{tmp_path.name}-copies"))
+    assert not (ward.session.root / "turn.rbd.xml").exists()
+    assert ward.session.dirty == []
+    # Where it was copied from it stays, and undo has it again here.
+    assert (tmp_path / "turn.rbd.xml").read_text() == TURN
+    do(ward, "undo")
+    assert ward.session.dirty == ["turn.rbd.xml"]
+    do(ward, "save")
+    assert errors(ward.session.root) == []
