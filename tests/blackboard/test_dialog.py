@@ -408,8 +408,7 @@ def test_what_is_meant_for_the_robot_that_is_there_is_done_once_though_we_stood_
     assert net.dialog.welcome.session != session
     assert net.hand.core.board.get("application/desk").value["state"] == "2"
     # So is what reached a core that had taken us for dead, for the time is not the same everywhere.
-    (peer,) = net.hand.sessions._sessions
-    net.hand.raw(peer, b'{"do":"bye","id":1}')
+    net.hand.raw(net.peer, b'{"do":"bye","id":1}')
     set_call = net.dialog.set({"x": 1}, versions={"x": 0})
     set_call.otherwise = NOT_ASKED
     net.beat(2)

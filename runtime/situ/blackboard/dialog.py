@@ -249,7 +249,7 @@ class Dialog:
 
     def _give_up(self) -> None:
         """Of what is meant for the robot as it was, nothing waits for one that does not come."""
-        waiting, self._waiting = self._waiting, []
+        waiting = self._waiting
         self._waiting = [call for call in waiting if call.otherwise is None]
         for call in waiting:
             if call.otherwise is not None:
