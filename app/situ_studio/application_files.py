@@ -152,7 +152,9 @@ class ApplicationFiles(QObject):
         if new.casefold() in others:
             return True
         path = self._session.root / new
-        if not path.exists() or new in self._session.contents.removed:
+        # Saving would write over one that was deleted, before it is in the waste basket.
+        is_own = self._pairs.get(new) == file and new in self._session.contents.removed
+        if not path.exists() or is_own:
             return False
         here = self._session.root / file
         return not (here.exists() and path.samefile(here))

@@ -111,6 +111,10 @@ class Contents:
         """What becomes on disk of a file that was taken away is decided."""
         del self._removed[file]
 
+    def settle_removed(self) -> None:
+        """What was taken away and is here again lies on disk like all else."""
+        self._removed.clear()
+
     # -- exchanging values -----------------------------------------------------------
 
     def having(self, file: str, value: Written) -> Project:

@@ -296,6 +296,7 @@ class Session(QObject):
             self._saved_at = self.now()
             for file in contents.removed:
                 self._throw_away(file)
+            contents.settle_removed()
         finally:
             self.disk.watch()
             self.stack_changed.emit()

@@ -577,3 +577,47 @@ def test_a_copy_of_the_project_has_nothing_of_what_was_deleted(ward: Any, tmp_pa
     assert ward.session.dirty == ["turn.rbd.xml"]
     do(ward, "save")
     assert errors(ward.session.root) == []
+
+
+def test_what_was_deleted_and_is_added_again_stays_in_the_folder_when_it_is_taken_off_the_list(
+    ward: Any, tmp_path: Path
+) -> None:
+    choose(ward, "night.rbd.xml")
+    ward.key(Qt.Key.Key_Delete)
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    ward.window.pages.applications.add("night.rbd.xml")
+    do(ward, "save")
+    ward.window.pages.applications.remove("night.rbd.xml")
+    do(ward, "save")
+    assert ward.basket.held == {}
+    assert (tmp_path / "night.rbd.xml").is_file()
+
+
+def test_a_file_that_is_not_yet_in_the_waste_basket_is_not_written_over(
+    ward: Any, tmp_path: Path
+) -> None:
+    choose(ward, "night.rbd.xml")
+    ward.key(Qt.Key.Key_Delete)
+    key(ward, Qt.Key.Key_Return)
+    choose(ward, "turn.rbd.xml")
+    ward.key(Qt.Key.Key_F2)
+    write(ward, "night")
+    told = "There is a file night.rbd.xml already: choose another name."
+    assert dialog(ward).why.text() == told
+    # One that is renamed may have its own name again.
+    write(ward, "tour")
+    key(ward, Qt.Key.Key_Return)
+    choose(ward, "tour.rbd.xml")
+    ward.key(Qt.Key.Key_F2)
+    write(ward, "turn")
+    assert dialog(ward).why.text() == ""
+    key(ward, Qt.Key.Key_Return)
+    do(ward, "save")
+    # Once it is in the basket, its name is free.
+    assert [*ward.basket.held] == ["night.rbd.xml"]
+    choose(ward, "turn.rbd.xml")
+    ward.key(Qt.Key.Key_F2)
+    write(ward, "night")
+    assert dialog(ward).why.text() == ""
+    key(ward, Qt.Key.Key_Escape)
