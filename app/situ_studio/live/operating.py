@@ -366,10 +366,10 @@ class OperatingSide(QObject):
         if seen == self._seen:
             return
         self._seen = seen
-        words = ", ".join(self._waiting(name, *one) for name, one in paused.items())
-        if words != self.waiting.text():
-            self._window.status.announcements.tell(words)
-        self.waiting.setText(words)
+        before = self.waiting.text()
+        self.waiting.setText(", ".join(self._waiting(name, *one) for name, one in paused.items()))
+        if self.waiting.text() != before:
+            self._window.status.announcements.tell(self.waiting.text())
         self.waiting.setVisible(bool(paused))
         self._show()
         self._window.actions_.refresh()

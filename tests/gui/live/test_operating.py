@@ -10,6 +10,7 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QToolButton
+from tests.gui.test_announcing import hears
 
 from situ.blackboard.client import connect as operator
 from situ.blackboard.protocol import LEASE
@@ -139,6 +140,40 @@ def test_breakpoints_pause_the_robot_where_they_are_shown_and_hands_lead_it_on(
     assert live().breakpoints == frozenset()
     window.disconnect_robot()
     assert not status.isVisible()
+
+
+def test_a_pause_and_a_breakpoint_that_stops_are_told_once_each(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    link = connect(it, there.endpoint, until)
+    actions, told = it.window.actions_.actions, hears(it)
+
+    def now() -> Any:
+        return link.log.now.applications["converse"]
+
+    def pauses() -> list[str]:
+        it.settle()
+        return [words for one in told for words in one.split(". ") if "paused" in words]
+
+    actions["operate.pause"].trigger()
+    until(link.moment_changed, lambda: now().paused)
+    first = f"converse is paused at {it.window.robot.state_name('converse', now().state)}"
+    assert pauses() == [first]
+    # What else comes to be known of a robot that waits is no news of that.
+    it.select("state", "3")
+    actions["operate.break"].trigger()
+    until(link.moment_changed, lambda: bool(link.log.now.breakpoints))
+    assert pauses() == [first]
+    # Nor is that it goes on, which a hand did.
+    actions["operate.resume"].trigger()
+    until(link.moment_changed, lambda: not now().paused)
+    actions["operate.goto"].trigger()
+    until(link.moment_changed, lambda: now().stopped is not None)
+    assert pauses() == [first, "converse is paused at 3 glad, at breakpoint 1"]
+    it.window.disconnect_robot()
+    assert len(pauses()) == 2
 
 
 def test_what_the_robot_refuses_is_said_in_words(
