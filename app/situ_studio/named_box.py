@@ -16,6 +16,8 @@ def label_unseen(box: QComboBox, name: str) -> QLabel:
     label = QLabel(name, box.parentWidget())
     label.setBuddy(box)
     label.hide()
+    # What is filled anew deletes its boxes, and keeps what else stands there.
+    box.destroyed.connect(label.deleteLater)
     return label
 
 

@@ -7,7 +7,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAccessible, QColor
 from PySide6.QtWidgets import QApplication, QLabel, QVBoxLayout, QWidget
 from tests.gui.live.test_comparing import until
@@ -16,6 +16,7 @@ from tests.gui.live.test_recordings import until_shown
 from tests.gui.test_announcing import hears
 
 from situ_studio.heard_as import hear_as
+from situ_studio.layouts import clear
 from situ_studio.named_box import NamedBox
 from situ_studio.panels.conditions import GroupBox
 from situ_studio.panels.rows import RowWidget
@@ -71,6 +72,23 @@ def test_a_combo_box_is_called_by_its_name_or_by_the_label_beside_it(qt: QApplic
     assert labels(alone) == ["Value"]
     assert labels(labelled) == ["Leads to"]
     assert [one.text() for one in window.findChildren(QLabel) if one.isVisible()] == ["Leads to"]
+    window.close()
+    window.deleteLater()
+
+
+def test_what_is_filled_anew_keeps_no_label_of_a_box_that_is_gone(qt: QApplication) -> None:
+    window = QWidget()
+    column = QVBoxLayout(window)
+    window.show()
+    for name in ("Test", "Value", "Leads to"):
+        clear(column)
+        box = NamedBox()
+        box.setAccessibleName(name)
+        column.addWidget(box)
+        QApplication.processEvents()
+    for _ in ("boxes", "labels"):
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+    assert [one.text() for one in window.findChildren(QLabel)] == ["Leads to"]
     window.close()
     window.deleteLater()
 
