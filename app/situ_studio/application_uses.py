@@ -129,7 +129,8 @@ def _called(project: Project, file: str, name: str) -> tuple[Project, dict[str, 
     application = project.flows[file]
     old, after = application.name, project
     if file not in project.parts:
-        every = list(mentions.Index().every(project))
+        index = mentions.Index()
+        every = list(index.every(project))
         known = mentions.tags(every, project) | {f"application/{old}"}
         tags = {
             mentions.tag_of(n, known)
@@ -140,7 +141,7 @@ def _called(project: Project, file: str, name: str) -> tuple[Project, dict[str, 
         wanted: list[tuple[mentions.Role, str, str]] = [("module", old, name)]
         wanted += [("tag", tag, tag.replace(f"/{old}", f"/{name}", 1)) for tag in sorted(tags)]
         for role, one, other in wanted:
-            found_now = list(mentions.Index().every(after))
+            found_now = list(index.every(after))
             for changed, document in renames.rename(
                 after, found_now, role, one, other
             ).changed.items():

@@ -176,7 +176,8 @@ class TutorialWindow(QWidget):
         self.next.clicked.connect(lambda: self.show_step(self.step + 1))
         foot.addWidget(self.next)
         column.addLayout(foot)
-        self.show_step(int(str(settings.value(STEP, 0))))
+        step = settings.value(STEP, 0, int)
+        self.show_step(step if isinstance(step, int) else 0)
         kept = settings.value(GEOMETRY)
         if kept is None or not self.restoreGeometry(kept):
             self.resize(self.sizeHint())

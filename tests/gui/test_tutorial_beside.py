@@ -65,6 +65,16 @@ def test_it_is_gone_through_by_mouse_and_keys_and_goes_on_where_one_left_off(
     window.close()
 
 
+@pytest.mark.parametrize(("kept", "shown"), [("2", 2), ("one", 0), (99, -1), (-3, 0)])
+def test_it_begins_at_a_step_that_there_is_whatever_was_kept(
+    used: Any, settings: QSettings, kept: object, shown: int
+) -> None:
+    settings.setValue(STEP, kept)
+    window = opened(used)
+    assert window.title.text() == window.steps[shown].title
+    window.close()
+
+
 def test_what_is_typed_stands_out_in_the_colours_of_the_window(used: Any) -> None:
     window = opened(used)
     window.show_step(2)
