@@ -73,7 +73,8 @@ class _Row(QStyledItemDelegate):
         index: QModelIndex | QPersistentModelIndex,
     ) -> bool:
         if isinstance(event, QMouseEvent):
-            if event.type() != QEvent.Type.MouseButtonRelease:
+            left = event.button() == Qt.MouseButton.LeftButton
+            if event.type() != QEvent.Type.MouseButtonRelease or not left:
                 return event.type() == QEvent.Type.MouseButtonDblClick
             chosen = Qt.CheckState(index.data(CHECK)) == Qt.CheckState.Checked
             other = Qt.CheckState.Unchecked if chosen else Qt.CheckState.Checked

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
@@ -65,10 +65,12 @@ def test_a_click_on_a_row_chooses_what_shall_happen_again(desk: Any) -> None:
     (saving,) = used.window.findChildren(SavingScenario)
     before = len(saving.expected)
     row = saving.list.visualItemRect(saving.list.item(0))
-    at = QPoint(row.center().x(), row.center().y())
+    at = row.center()
     QTest.mouseClick(saving.list.viewport(), Qt.MouseButton.LeftButton, pos=at)
     assert len(saving.expected) == before - 1
     QTest.mouseClick(saving.list.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    assert len(saving.expected) == before
+    QTest.mouseClick(saving.list.viewport(), Qt.MouseButton.RightButton, pos=at)
     assert len(saving.expected) == before
     assert saving.list.item(0).toolTip() == saving.list.item(0).text()
     saving.reject()
