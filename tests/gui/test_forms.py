@@ -257,6 +257,35 @@ def test_a_group_in_a_group_begins_with_nothing_that_nobody_asked_for(
     assert len(until().children) == 1
 
 
+def test_a_group_that_is_empty_yet_is_not_taken_along_to_another_document(
+    studio: Start, tmp_path: Path
+) -> None:
+    for name in ("a", "b"):
+        (tmp_path / f"{name}.rbd.xml").write_text(
+            f'<application name="{name}" start="1"><state no="1" name="One">'
+            '<expectedevents><event name="go" next="1"/></expectedevents></state></application>'
+        )
+    (tmp_path / "situ.toml").write_text(
+        '[project]\nname = "ward"\napplications = ["a.rbd.xml", "b.rbd.xml"]\n'
+        '[robot]\nadapter = "sim"\n'
+    )
+    used = studio(tmp_path)
+    for file in ("b.rbd.xml", "a.rbd.xml"):
+        used.window.open_file(file)
+        used.select("state", "1", "event", "0")
+    form(used).section("when").condition.add("any")
+    used.settle()
+    assert form(used).section("when").condition.isVisible()
+    # Another edit of the same thing leaves it.
+    used.fill(form(used).field("name"), "on")
+    used.settle()
+    assert form(used).section("when").condition.isVisible()
+    used.window.open_file("b.rbd.xml")
+    used.settle()
+    assert used.window.current_view.selected == (("state", "1", "event", "0"),)
+    assert not form(used).section("when").condition.isVisible()
+
+
 def choose_in_menu(used: Any, down: int) -> None:
     menu = QApplication.activePopupWidget()
     assert menu is not None

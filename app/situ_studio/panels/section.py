@@ -131,7 +131,7 @@ class SectionEditor(QWidget):
 
     def show_subject(self, subject: Subject) -> None:
         before, self._subject = self._subject, subject
-        if self.condition is not None and before is not None and before.place != subject.place:
+        if self.condition is not None and before is not None and _is_elsewhere(before, subject):
             self.condition.give_up()
         value: Any = getattr(subject.value, self.section.attribute, None)
         theme, document = subject.theme, subject.document
@@ -204,3 +204,9 @@ class SectionEditor(QWidget):
         if self._subject.value.screen is None:
             self._tell(rbd.Screen(), self.tr("Add screen"))
         self.screen_asked.emit((*self._subject.place, "screen"))
+
+
+def _is_elsewhere(before: Subject, after: Subject) -> bool:
+    """Whether it is another thing: at another place, or there in another document."""
+    first, then = (getattr(one.document, "name", None) for one in (before, after))
+    return before.place != after.place or first != then
