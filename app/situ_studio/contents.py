@@ -203,9 +203,9 @@ class Contents:
         for file in scenarios:
             if file not in self._scenarios and not self._disk.is_missing(file):
                 value, _ = read(self._disk.read(file), file)
-                assert isinstance(value, Lines)
-                self._scenarios[file] = self._saved[file] = value
-                self._disk.see(file)
+                if isinstance(value, Lines):
+                    self._scenarios[file] = self._saved[file] = value
+                    self._disk.see(file)
 
     def read_beside(self, kept: Collection[str] = ()) -> None:
         """Takes the files beside the documents as they lie there, but for those to be kept."""

@@ -47,12 +47,16 @@ class Edit(Struct, frozen=True):
 def read(data: bytes, file: str) -> tuple[Written | None, list[Problem]]:
     """The value of a file of a project by its path; None where there is none, and what is wrong."""
     if file.endswith(ENDING):
-        return Lines(data.decode("utf-8", "surrogateescape")), []
+        try:
+            return Lines(data.decode()), []
+        except UnicodeDecodeError:
+            # No scenario at all, and what is unsaved of it could not be kept as text.
+            return None, []
     return codec.read(data, file) if file.endswith(".xml") else beside.read(data, file)
 
 
 def write(value: Written) -> bytes:
     """The bytes of a value's file."""
     if isinstance(value, Lines):
-        return value.text.encode("utf-8", "surrogateescape")
+        return value.text.encode()
     return beside.write(value) if isinstance(value, Toml | Catalogue) else codec.write(value)

@@ -621,3 +621,24 @@ def test_a_file_that_is_not_yet_in_the_waste_basket_is_not_written_over(
     write(ward, "night")
     assert dialog(ward).why.text() == ""
     key(ward, Qt.Key.Key_Escape)
+
+
+def test_a_scenario_that_is_no_text_stays_as_it_is_and_what_is_unsaved_is_kept(
+    ward: Any, studio: Start, tmp_path: Path
+) -> None:
+    scenario = tmp_path / "scenarios" / "first.jsonl"
+    data = SCENARIO.encode() + b'{"at": 9, "say": "\xe4"}\n'
+    scenario.write_bytes(data)
+    choose(ward, "night.rbd.xml")
+    ward.key(Qt.Key.Key_F2)
+    write(ward, "late")
+    assert not [one for one in listed(dialog(ward).list) if "scenario" in one]
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    crash(ward)
+    used = studio(tmp_path)
+    used.session.throw_away = Basket()
+    used.click(used.window.recovered.buttons[0])
+    do(used, "save")
+    assert "late.rbd.xml" in used.session.files
+    assert scenario.read_bytes() == data
