@@ -19,7 +19,11 @@ from situ.document.export import deployable, without_editor
 from situ.document.rbd import Event
 from situ.document.ready import load_ready
 from situ_studio.live.breaking import MOST, KeptBreakpoints, everywhere, points_at
+from situ_studio.live.breakpoints import Breakpoints
 from situ_studio.live.setting_dialog import Setting
+from situ_studio.panels.conditions import GroupBox
+from situ_studio.theme import LIGHT
+from situ_studio.vocabulary import Vocabulary
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 FLOW, PART = "reception.rbd.xml", "register.rbd.xml"
@@ -241,3 +245,18 @@ def test_a_condition_wanted_where_the_robot_refused_a_breakpoint_is_wanted_no_lo
     found = {one["state"]: one.get("when") for one in link.log.now.breakpoints}
     assert found == {"77": None, "2": None}
     window.disconnect_robot()
+
+
+def test_a_group_begun_for_one_breakpoint_is_not_the_next_ones(qt: Any) -> None:
+    panel = Breakpoints(LIGHT, lambda application, state: state)
+    every = [{"id": 1, "situation": "quiet"}, {"id": 2, "situation": "loud"}]
+    panel.show_breakpoints(every, frozenset(), (), Vocabulary())
+    panel.table.setCurrentIndex(panel.table.rows.index(0, 0))
+    panel.condition.add("any")
+    assert panel.condition.findChildren(GroupBox)
+    assert panel.condition.isVisibleTo(panel)
+    panel.table.setCurrentIndex(panel.table.rows.index(1, 0))
+    assert not panel.condition.isVisibleTo(panel)
+    panel.table.setCurrentIndex(panel.table.rows.index(0, 0))
+    assert not panel.condition.isVisibleTo(panel)
+    panel.deleteLater()
