@@ -24,10 +24,13 @@ PYTHON := $(shell for want in "import ensurepip, venv" ""; do \
 endif
 WORKERS ?= auto
 SECONDS ?= 60
-# Tests that take every branch of situ.document, situ.decide and situ.rehearse, or fail. The same
-# seed each time, so that what is taken does not hang on luck; being counted takes longer.
+# Random examples are the same each time, so that no run hangs on luck; with ARGS, and in make fuzz
+# and make soak, they are others.
+SEED := --hypothesis-seed=0
+# Tests that take every branch of situ.document, situ.decide and situ.rehearse, or fail. Being
+# counted takes longer.
 COVERED := tests/document tests/decide tests/rehearse tests/examples
-GATE := --cov --hypothesis-seed=0 -o timeout=300
+GATE := --cov -o timeout=300
 
 demo: $(READY)
 	@$(PYTHON) packaging/system_check.py demo
@@ -43,8 +46,8 @@ test: $(READY)
 ifdef ARGS
 	@$(BIN)/pytest -q -n $(WORKERS) $(ARGS)
 else
-	@$(BIN)/pytest -q -n $(WORKERS) $(COVERED) $(GATE)
-	@$(BIN)/pytest -q -n $(WORKERS) tests $(COVERED:%=--ignore=%)
+	@$(BIN)/pytest -q -n $(WORKERS) $(COVERED) $(SEED) $(GATE)
+	@$(BIN)/pytest -q -n $(WORKERS) tests $(COVERED:%=--ignore=%) $(SEED)
 endif
 
 check: lint test
