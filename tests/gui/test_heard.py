@@ -9,7 +9,9 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAccessible, QColor
+from PySide6.QtTest import QSignalSpy
 from PySide6.QtWidgets import QApplication, QLabel, QVBoxLayout, QWidget
+from tests.gui.conftest import PATIENCE
 from tests.gui.live.test_comparing import until
 from tests.gui.live.test_field import recorded
 from tests.gui.live.test_recordings import until_shown
@@ -219,7 +221,10 @@ def test_another_situation_is_told_while_it_is_followed(studio: Start, project: 
     dial = rehearsing.desk.dials["robot.stop"]
     dial.flag.setFocus()
     used.key(Qt.Key.Key_Space)
-    assert "Situation stopped" in " ".join(told)
+    # Events are gathered for a frame before they are shown.
+    more = QSignalSpy(used.window.status.announcements.told)
+    while "Situation stopped" not in " ".join(told):
+        assert more.wait(PATIENCE), told
     rehearsing.end()
 
 
