@@ -35,8 +35,8 @@ class Ground(NodeViewer):
     """straight_lines: every pipe as a QLineF, and those just taken, for where cards are small.
     on_ground: draws on the ground, under everything.
 
-    Pictures are painted px for px and never smoothed: with that hint set Qt would lay them on ten
-    times as slowly, even where nothing is scaled.
+    Pictures are painted px for px and never smoothed: with that hint set Qt would lay them on
+    much more slowly, even where nothing is scaled.
     """
 
     # NodeGraphQt's own, untyped.

@@ -42,10 +42,16 @@ class LinkState(Struct, frozen=True):
                 told = words.format(told, lasting(abs(self.apart)))
             return tr("{0}, you can look only").format(told) if self.looks_only else told
         if self.kind == "lost":
-            return tr("lost {0} ago").format(lasting(float(round(now - self.since))))
+            return tr("lost {0} ago").format(lasting(_whole(now - self.since)))
         if self.kind == "connecting":
             if now < self.since + QUIET:
                 return tr("connecting to {0}").format(self.endpoint)
-            waited = lasting(float(round(now - self.since)))
+            waited = lasting(_whole(now - self.since))
             return tr("nobody answers at {0} for {1}; still trying").format(self.endpoint, waited)
         return self.why if self.kind == "refused" else tr("no robot")
+
+
+def _whole(seconds: float) -> float:
+    """Whole seconds, minutes from two on, hours from two on."""
+    unit = 1 if seconds < 120 else 60 if seconds < 7200 else 3600
+    return float(round(seconds / unit) * unit)

@@ -27,7 +27,8 @@ AT = "tcp://192.168.4.21:5570"
             "live, 10 ms behind, you can look only",
         ),
         (LinkState("lost", AT, since=100.0), 108.3, "lost 8 s ago"),
-        (LinkState("lost", AT, since=100.0), 100.0 + 42 * 60, "lost 42 min ago"),
+        (LinkState("lost", AT, since=100.0), 100.0 + 42 * 60 + 7, "lost 42 min ago"),
+        (LinkState("lost", AT, since=100.0), 100.0 + 3 * 3600 + 400, "lost 3 h ago"),
         (LinkState("refused", AT, why="the key is unknown"), 0.0, "the key is unknown"),
     ],
 )
