@@ -143,7 +143,7 @@ class ApplicationFiles(QObject):
             return self.tr("There is a module {0} already: choose another name.").format(own)
         try:
             return uses.rename(project, self._values(project), file, new, own)
-        except ValueError as error:
+        except (UsageError, ValueError) as error:
             return str(error)
 
     def _is_taken(self, file: str, new: str) -> bool:
@@ -181,12 +181,14 @@ class ApplicationFiles(QObject):
             told = self.tr("It is the only application: a project has at least one.")
             self._window.say(told)
             return
-        dialog = DeleteApplication(file, self._uses(project, file), self._window)
+        try:
+            found = uses.uses(project, self._values(project), file)
+        except UsageError as error:
+            self._window.say(str(error))
+            return
+        dialog = DeleteApplication(file, found, self._window)
         dialog.agreed.connect(partial(self._delete, file))
         self._open(dialog)
-
-    def _uses(self, project: Project, file: str) -> tuple[uses.Use, ...]:
-        return uses.uses(project, self._values(project), file)
 
     def _delete(self, file: str) -> None:
         toml = self._session.value(PROJECT_FILE)
@@ -224,13 +226,21 @@ class ApplicationFiles(QObject):
         return None
 
     def _values(self, project: Project) -> dict[str, Written]:
-        """What stands beside the documents, scenarios too."""
+        """What stands beside the documents, scenarios too.
+
+        UsageError, with one line for the user, where one can not be read or lies elsewhere.
+        """
         try:
             every = scenarios(project)
         except UsageError:
             every = []
         root = Path(project.root).resolve()
-        named = [one.resolve().relative_to(root).as_posix() for one in every]
+        named = []
+        for one in every:
+            there = one.resolve()
+            if not there.is_relative_to(root):
+                raise UsageError(self.tr("{0} is not in this project.").format(one.name))
+            named.append(there.relative_to(root).as_posix())
         found = {file: self._session.value(file) for file in (*beside.files(project), *named)}
         for file in named:
             if found[file] is None:

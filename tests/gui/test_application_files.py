@@ -642,3 +642,32 @@ def test_a_scenario_that_is_no_text_stays_as_it_is_and_what_is_unsaved_is_kept(
     do(used, "save")
     assert "late.rbd.xml" in used.session.files
     assert scenario.read_bytes() == data
+
+
+@pytest.mark.parametrize(
+    ("linked", "why"),
+    [
+        (False, "scenarios/second.jsonl: cannot be read: Is a directory"),
+        (True, "second.jsonl is not in this project."),
+    ],
+)
+def test_beside_a_scenario_that_can_not_be_read_or_lies_elsewhere_no_file_goes(
+    ward: Any, tmp_path: Path, tmp_path_factory: Any, linked: bool, why: str
+) -> None:
+    scenario = tmp_path / "scenarios" / "second.jsonl"
+    if linked:
+        elsewhere = tmp_path_factory.mktemp("elsewhere") / "second.jsonl"
+        elsewhere.write_text(SCENARIO)
+        scenario.symlink_to(elsewhere)
+    else:
+        scenario.mkdir()
+    choose(ward, "night.rbd.xml")
+    ward.key(Qt.Key.Key_Delete)
+    assert ward.window.application_files.dialog is None
+    assert ward.window.status.said.text() == why
+    ward.key(Qt.Key.Key_F2)
+    write(ward, "late")
+    assert dialog(ward).why.text() == why
+    assert not dialog(ward).rename.isEnabled()
+    key(ward, Qt.Key.Key_Escape)
+    assert ward.session.undo_text is None
