@@ -48,6 +48,8 @@ class Breakpoints(QWidget):
         self._vocabulary = Vocabulary()
         self._adds: tuple[Point, ...] = ()
         self._chosen: Point | None = None
+        # Whose condition is shown.
+        self._shown: Point | None = None
         self._shows = False
         self._may_change = True
         self.setProperty("role", "panel")
@@ -201,11 +203,15 @@ class Breakpoints(QWidget):
         """By a person, not because the rows are others now."""
         if not self._shows:
             self._chosen = None if self.current is None else point_of(self.current)
-            self.condition.give_up()
             self._show_condition()
 
     def _show_condition(self) -> None:
         one = self.current
+        where = None if one is None else point_of(one)
+        if where != self._shown:
+            # Also where another operator took away what was chosen.
+            self._shown = where
+            self.condition.give_up()
         settable = one is not None and "id" in one
         condition = _condition(one) if one is not None and settable else None
         self.condition.show_value(self._theme, condition, self._vocabulary)

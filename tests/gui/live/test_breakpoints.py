@@ -260,3 +260,24 @@ def test_a_group_begun_for_one_breakpoint_is_not_the_next_ones(qt: Any) -> None:
     panel.table.setCurrentIndex(panel.table.rows.index(0, 0))
     assert not panel.condition.isVisibleTo(panel)
     panel.deleteLater()
+
+
+def test_a_group_goes_with_the_breakpoint_for_which_it_was_begun(qt: Any) -> None:
+    panel = Breakpoints(LIGHT, lambda application, state: state)
+    quiet, loud = {"id": 1, "situation": "quiet"}, {"id": 2, "situation": "loud"}
+    panel.show_breakpoints([quiet, loud], frozenset(), (), Vocabulary())
+    panel.table.setCurrentIndex(panel.table.rows.index(0, 0))
+    panel.condition.add("any")
+    # What else the robot tells leaves it, also where the breakpoint gets another number.
+    third = {"id": 3, "situation": "third"}
+    again = {"id": 4, "situation": "quiet"}
+    panel.show_breakpoints([third, loud, again], frozenset(), (), Vocabulary())
+    assert panel.condition.findChildren(GroupBox)
+    assert panel.condition.isVisibleTo(panel)
+    # Another operator takes it away, and sets one there anew.
+    panel.show_breakpoints([third, loud], frozenset(), (), Vocabulary())
+    assert not panel.condition.isVisibleTo(panel)
+    panel.show_breakpoints([third, loud, {**again, "id": 5}], frozenset(), (), Vocabulary())
+    assert panel.current == {**again, "id": 5}
+    assert not panel.condition.isVisibleTo(panel)
+    panel.deleteLater()
