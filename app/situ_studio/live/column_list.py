@@ -52,7 +52,7 @@ ROW = 26
 EDGE = 12
 SINCE = 40
 """Px that the time at the right end has."""
-SHARE = 0.45
+SHARE = 0.4
 """Of the room, what a long value gets in any case."""
 MOST = 6
 """Rows for which a list wants room; of more it scrolls."""
@@ -159,11 +159,20 @@ class ColumnDelegate(QStyledItemDelegate):
         if row.since:
             # Times stand below each other; a state has little room, and its name goes before.
             wide = self._small.advance(row.since) + 8
-            if row.kind == "data" or title + 8 + taken <= right - left - wide:
+            free = right - left - title - 8 - taken
+            if row.kind == "data" or free >= wide:
                 self._small.draw(painter, row.since, right, rect, theme.color("text3"), ends=True)
-                right -= max(wide, SINCE if row.kind == "data" else 0)
+                # So do values, unless they would be cut for it.
+                right -= SINCE if row.kind == "data" and wide < SINCE <= free else wide
         room = right - left
         wanted = min(float(taken), max(room - title - 8, room * SHARE))
+        shown = row.title
+        if title > room - wanted - 8:
+            # Whole letters leave some px, which the value gets.
+            most = int(max(room - wanted - 8, 0))
+            shown = self._plain.metrics.elidedText(row.title, Qt.TextElideMode.ElideMiddle, most)
+            wanted = min(float(taken), room - self._plain.advance(shown) - 8)
+        self._plain.draw(painter, shown, left, rect, theme.color("text"))
         box = QRectF(right - wanted, rect.y(), wanted, rect.height())
         painter.setFont(said.font)
         if row.pill:
@@ -171,14 +180,8 @@ class ColumnDelegate(QStyledItemDelegate):
         else:
             token = "text3" if row.faint else "live" if row.lit else "text"
             painter.setPen(theme.color(token))
-            shown = row.value if taken <= wanted else _cut(said.metrics, row.value, wanted)
-            painter.drawText(box, middle | Qt.AlignmentFlag.AlignRight, shown)
-        free = max(room - wanted - 8, 0)
-        shown = row.title
-        if title > free:
-            middle_cut = Qt.TextElideMode.ElideMiddle
-            shown = self._plain.metrics.elidedText(row.title, middle_cut, int(free))
-        self._plain.draw(painter, shown, left, rect, theme.color("text"))
+            value = row.value if taken <= wanted else _cut(said.metrics, row.value, wanted)
+            painter.drawText(box, middle | Qt.AlignmentFlag.AlignRight, value)
         if row.fresh:
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(theme.color("live"))

@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QPoint, QRectF, Qt
+from msgspec import structs
+from PySide6.QtCore import QPoint, QRect, QRectF, Qt
 from PySide6.QtGui import QAccessible, QContextMenuEvent, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -18,10 +19,13 @@ import situ
 from situ.document import condition
 from situ.document.spds import Situation, Spds
 from situ_studio.letters import px
+from situ_studio.live import column_list
 from situ_studio.live.column import MomentColumn
-from situ_studio.live.column_list import ROW, ColumnDelegate
+from situ_studio.live.column_list import EDGE, ROW, ColumnDelegate
 from situ_studio.live.column_rows import ColumnRow, PartTold, Telling
+from situ_studio.live.column_words import Lettering
 from situ_studio.live.moment import Entry, Moment
+from situ_studio.theme import CAPTION, LABEL
 
 LEFT = Qt.MouseButton.LeftButton
 DRAWING = ("project", "outline", "palette")
@@ -170,6 +174,41 @@ def test_the_name_of_the_situation_and_of_a_state_go_before_what_stands_beside_t
         return image
 
     assert drawn("13 s") == drawn("")
+
+
+def test_a_name_and_a_value_that_have_room_beside_each_other_are_not_cut(
+    looked: tuple[Any, MomentColumn], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    it, column = looked
+    cut: list[str] = []
+    monkeypatch.setattr(column_list, "_cut", lambda _, words, room: cut.append(words) or words)
+    plain, strong, small = Lettering(LABEL), Lettering(LABEL, 600), Lettering(CAPTION)
+    delegate = ColumnDelegate(it.window.theme, column.data)
+
+    def drawn(row: ColumnRow, wide: int) -> QImage:
+        image = QImage(wide, ROW, QImage.Format.Format_RGB32)
+        image.fill(it.window.theme.color("panel"))
+        painter = QPainter(image)
+        delegate._row(painter, QRectF(image.rect()), row)
+        painter.end()
+        return image
+
+    name, value, since = "blood-pressure", "“otherwise”", "1 s"
+    datum = ColumnRow("data", name, name, value, since)
+    parts = plain.advance(name), strong.advance(value), small.advance(since)
+    wide = 2 * EDGE + sum(parts) + 2 * 8
+    drawn(datum, wide)
+    assert cut == []
+    drawn(datum, wide - 1)
+    assert cut == [value]
+
+    # Where a state has no room, its own name is cut, not the application's.
+    state = ColumnRow("state", name, name, "2 measuring", pill="live")
+    wide = 2 * EDGE + 22 + int((plain.advance(name) + 8) / 0.58)
+    words = QRect(EDGE, 0, 22 + plain.advance(name), ROW)
+    whole, beside = drawn(state, wide), drawn(structs.replace(state, value="2"), wide)
+    assert cut == [value, "2 measuring"]
+    assert whole.copy(words) == beside.copy(words)
 
 
 def test_hands_and_keys_go_to_what_a_row_is_about(
