@@ -163,6 +163,12 @@ QCheckBox:focus {{ outline: 0; }}
 QCheckBox::indicator:hover {{ border-color: {pipe}; }}
 QCheckBox::indicator:focus {{ border: 2px solid {accent}; width: 12px; height: 12px; }}
 
+QSlider {{ min-height: 22px; }}
+QSlider::groove {{ height: 4px; border-radius: 2px; background: {pipe}; }}
+QSlider::sub-page {{ border-radius: 2px; background: {accent}; }}
+QSlider::handle {{ width: 16px; margin: -6px 0; border-radius: 7px; background: {accent}; }}
+QSlider::handle:hover {{ background: {accent_over}; }}
+
 QTreeView, QListView, QTableView {{ background: {panel}; border: 0; outline: 0;
   alternate-background-color: {row_alt}; selection-background-color: {accent_soft};
   selection-color: {text}; }}

@@ -9,8 +9,9 @@ from typing import Any
 
 import msgspec
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QKeySequence
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QSlider
 
 from situ.document import rbd
 from situ_studio import actions, kinds, theme
@@ -112,6 +113,25 @@ def test_every_kind_can_be_read_on_its_soft_surface(colours: theme.Theme) -> Non
     for kind in theme.KINDS:
         found = contrast(colours.kind(kind), colours.kind_soft(kind))
         assert found >= 4.5, f"{kind}: {found:.2f}"
+
+
+@pytest.mark.parametrize("colours", BOTH, ids=lambda t: t.name)
+def test_the_track_and_the_handle_of_a_slider_are_seen(
+    colours: theme.Theme, qt: QApplication
+) -> None:
+    slider = QSlider(Qt.Orientation.Horizontal)
+    slider.setStyleSheet(qss(colours))
+    slider.resize(120, slider.sizeHint().height())
+    slider.setValue(50)
+    picture = slider.grab().toImage()
+    middle = picture.height() // 2
+    panel = colours.color("panel")
+    done, handle, track = (contrast(picture.pixelColor(x, middle), panel) for x in (20, 60, 100))
+    assert min(done, handle) >= 3
+    assert track >= 2.5
+    # The handle is higher than the track.
+    assert picture.pixelColor(60, middle - 5) == picture.pixelColor(60, middle)
+    assert picture.pixelColor(20, middle - 5) != picture.pixelColor(20, middle)
 
 
 @pytest.mark.parametrize("colours", BOTH, ids=lambda t: t.name)
