@@ -192,7 +192,7 @@ def test_selected_states_become_a_part_in_one_step(used: Any) -> None:
     assert document.state("12") is None
     assert window.current_view.selected == (("state", "11"),)
     assert used.session.undo_text == "Make a part: Vital signs"
-    row = used.row_with(window.project_tree.tree, "vital-signs *")
+    row = used.row_with(window.project_tree.tree, "vital-signs •")
     assert row.data(ICON) == ("part", "part")
     used.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert used.session.document(RECEPTION) is before
