@@ -24,8 +24,10 @@ from situ_studio import application_uses as uses
 from situ_studio import showing
 from situ_studio.application_dialogs import DeleteApplication, RenameApplication
 from situ_studio.edit import Written, read
+from situ_studio.left_open import Left, left, open_again
 from situ_studio.panels.lists import PLACE
 from situ_studio.panels.project_tree import stem
+from situ_studio.undo import Looking, Selection
 
 if TYPE_CHECKING:
     from situ_studio.sides import Group
@@ -42,14 +44,25 @@ class ApplicationFiles(QObject):
         super().__init__(window)
         self._window, self._session = window, window.session
         self._pairs: dict[str, str] = {}
+        self._left: dict[str, tuple[Left, ...]] = {}
         self._pressed: str | None = None
         self.dialog: QDialog | None = None
         """While it is asked."""
-        self._session.opened.connect(self._pairs.clear)
+        self._session.opened.connect(self._forget)
         self._session.listed.connect(self._follow)
+        self._session.selected.connect(self._open_again)
         self._session.left_over.connect(self._tell_left)
         self._tree = window.project_tree.tree
         self._tree.installEventFilter(self)
+
+    def move_to(self, other: ApplicationFiles) -> None:
+        """Tabs go along in a window that is made in place of this one."""
+        other._pairs.update(self._pairs)
+        other._left.update(self._left)
+
+    def _forget(self) -> None:
+        self._pairs.clear()
+        self._left.clear()
 
     # -- which one -----------------------------------------------------------------------
 
@@ -195,7 +208,10 @@ class ApplicationFiles(QObject):
         changed: dict[str, Written | None] = {}
         if isinstance(toml, beside.Toml) and file in beside.applications(toml):
             changed[PROJECT_FILE] = uses.unlisted(toml, file)
-        self._commit({**changed, file: None}, self.tr("Delete {0}").format(stem(file)))
+        every = self._window.sides.views_of(file)
+        view = self._window.views.get(file) or next(iter(every), None)
+        seen = (view.selected, view.call("looking")) if view is not None else ((), None)
+        self._commit({**changed, file: None}, self.tr("Delete {0}").format(stem(file)), *seen)
 
     # -- another one like it -------------------------------------------------------------
 
@@ -247,9 +263,15 @@ class ApplicationFiles(QObject):
                 found[file], _ = read(self._session.disk.read(file), file)
         return {file: value for file, value in found.items() if value is not None}
 
-    def _commit(self, changed: dict[str, Written | None], words: str) -> None:
+    def _commit(
+        self,
+        changed: dict[str, Written | None],
+        words: str,
+        selected: Selection = (),
+        looking: Looking | None = None,
+    ) -> None:
         self._session.contents.attend(file for file in changed if file.endswith(ENDING))
-        if not self._session.commit_all(changed, words):
+        if not self._session.commit_all(changed, words, selected, looking):
             told = self.tr("A document with errors refers to it: mend it first.")
             self._window.say(told)
 
@@ -275,6 +297,16 @@ class ApplicationFiles(QObject):
                 if gone and self._session.document(new) is not None:
                     for group in self._window.sides.groups:
                         self._swap(group, old, new)
+        # They close now, but come back as they are with what is taken away.
+        for group in self._window.sides.groups:
+            for tab in group.tabs.files():
+                for file in group.ways.get(tab, (tab,)):
+                    if self._session.document(file) is None and not self._window.pages.has(file):
+                        self._left[file] = left(self._window, file)
+
+    def _open_again(self, file: str) -> None:
+        if self._session.document(file) is not None:
+            open_again(self._window, file, self._left.pop(file, ()))
 
     def _swap(self, group: Group, old: str, new: str) -> None:
         ways = {tab: way for tab, way in group.ways.items() if old in way}

@@ -246,7 +246,7 @@ class Session(QObject):
         step.after = selected
         for edit in reversed(step.edits):
             self._exchange(edit.file, edit.before)
-        self.selected.emit(step.edits[0].file, step.before, step.looking)
+        self.selected.emit(step.file, step.before, step.looking)
         self.stepped_back.emit(step.edits[0].text)
 
     def redo(self) -> None:
@@ -256,7 +256,7 @@ class Session(QObject):
             return
         for edit in step.edits:
             self._exchange(edit.file, edit.after)
-        self.selected.emit(step.edits[0].file, step.after, step.looking)
+        self.selected.emit(step.file, step.after, step.looking)
         self.stepped.emit(step.edits[0].text)
 
     @property

@@ -6,6 +6,7 @@ from collections.abc import Set as AbstractSet
 
 from msgspec import Struct
 
+from situ.document.beside import is_beside
 from situ_studio.edit import Edit, Place
 
 Selection = tuple[Place, ...]
@@ -18,13 +19,20 @@ class Step(Struct):
     """What one gesture changed, with what was selected before and after it and where the canvas
     looked, so that undo and redo bring that back too.
 
-    edits: one a document; the first is that of the document in which it was done.
+    edits: one a file; the first is that of the document in which it was done.
     """
 
     edits: tuple[Edit, ...]
     before: Selection = ()
     after: Selection = ()
     looking: Looking | None = None
+
+    @property
+    def file(self) -> str:
+        """In which it was done: a document that went, not the list on which it stood."""
+        gone = [one.file for one in self.edits if one.after is None]
+        first = self.edits[0].file
+        return gone[0] if gone and is_beside(first) and not is_beside(gone[0]) else first
 
 
 class UndoStack:

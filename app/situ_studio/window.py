@@ -380,7 +380,7 @@ class MainWindow(Frame):
             self._open_if_there(file)
         view = self.current_view
         document = self.current_document
-        if view is not None and document is not None:
+        if view is not None and document is not None and file == self.current_file:
             chosen = tuple(p for p in selected if places.get(document, p) is not None)
             view.select(chosen)
             view.selected = chosen

@@ -13,11 +13,13 @@ from PySide6.QtGui import QContextMenuEvent, QInputMethodEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from tests.gui.test_adding_to_a_project import open_menu, press
+from tests.gui.test_language import choose as speak
 from tests.gui.test_recovery import crash
 
 from situ.document import folder
 from situ.document.check import check, merge
 from situ_studio.panels.lists import PLACE
+from situ_studio.showing import show_beside
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]
@@ -671,3 +673,73 @@ def test_beside_a_scenario_that_can_not_be_read_or_lies_elsewhere_no_file_goes(
     assert not dialog(ward).rename.isEnabled()
     key(ward, Qt.Key.Key_Escape)
     assert ward.session.undo_text is None
+
+
+def test_undo_of_a_deletion_shows_the_file_where_and_as_it_was(ward: Any) -> None:
+    window = ward.window
+    window.open_file("night.rbd.xml")
+    window.show_mode("outline")
+    ward.select("state", "2")
+    tabs, chosen = window.tabs.files(), window.current_view.selected
+    assert tabs[-1] != "night.rbd.xml"
+    do(ward, "delete_application")
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    assert "night.rbd.xml" not in window.tabs.files()
+    do(ward, "undo")
+    assert window.tabs.files() == tabs
+    assert window.current_file == "night.rbd.xml"
+    assert window.current_view.shown_as == "outline"
+    assert window.current_view.selected == chosen == (("state", "2"),)
+    # What is looked at instead stays as it is when the file goes again.
+    do(ward, "redo")
+    shown = window.current_file
+    assert shown is not None
+    assert window.tabs.files() == [file for file in tabs if file != "night.rbd.xml"]
+    do(ward, "undo")
+    assert window.tabs.files() == tabs
+    assert window.current_file == "night.rbd.xml"
+
+
+def test_undo_of_a_deletion_shows_a_part_within_its_application_and_the_other_side_again(
+    ward: Any,
+) -> None:
+    window = ward.window
+    window.open_file("a.rbd.xml")
+    ward.select("state", "2")
+    window.parts.enter()
+    do(ward, "delete_application")
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    assert window.parts.way == ("a.rbd.xml",)
+    do(ward, "undo")
+    assert window.parts.way == ("a.rbd.xml", "turn.rbd.xml")
+    assert window.current_file == "turn.rbd.xml"
+    # The only tab of the right side.
+    window.open_file("night.rbd.xml")
+    show_beside(window, "night.rbd.xml", moved=True)
+    ward.settle()
+    assert [group.tabs.files() for group in window.sides.groups][1:] == [["night.rbd.xml"]]
+    do(ward, "delete_application")
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    assert len(window.sides.groups) == 1
+    do(ward, "undo")
+    assert [group.tabs.files() for group in window.sides.groups][1:] == [["night.rbd.xml"]]
+    assert window.current_file == "night.rbd.xml"
+
+
+def test_tabs_go_along_with_undo_in_another_language_too(ward: Any) -> None:
+    tabs = ward.window.tabs.files()
+    ward.window.open_file("night.rbd.xml")
+    for command in ("rename_application", "delete_application"):
+        do(ward, command)
+        if command == "rename_application":
+            write(ward, "late")
+        key(ward, Qt.Key.Key_Return)
+        ward.settle()
+        assert "night.rbd.xml" not in ward.window.tabs.files()
+        ward = speak(ward, "日本語" if command == "rename_application" else "English")
+        do(ward, "undo")
+        assert ward.window.tabs.files() == tabs
+        assert ward.window.current_file == "night.rbd.xml"
