@@ -39,6 +39,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ_studio import icons
+from situ_studio.focus_ring import paint_chosen
 from situ_studio.icon_widgets import IconButton
 from situ_studio.language import tr
 from situ_studio.letters import enlarged, px
@@ -138,8 +139,7 @@ class ColumnDelegate(QStyledItemDelegate):
         theme = self.theme
         chosen = state & QStyle.StateFlag.State_Selected and state & QStyle.StateFlag.State_HasFocus
         if chosen:
-            painter.fillRect(rect, theme.color("accent_soft"))
-            painter.fillRect(QRectF(rect.x(), rect.y(), 2, rect.height()), theme.color("accent"))
+            paint_chosen(painter, rect, theme)
         elif row.lit:
             painter.fillRect(rect, theme.color("live_soft"))
         elif state & QStyle.StateFlag.State_MouseOver:

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from situ_studio import icons
 from situ_studio.announcing import CurrentRow
+from situ_studio.focus_ring import paint_chosen
 from situ_studio.letters import enlarged, px
 from situ_studio.panels.empty import EmptyHint
 from situ_studio.panels.lists import PLACE, AnyIndex
@@ -45,7 +46,7 @@ class _HitDelegate(QStyledItemDelegate):
     def _paint(self, painter: QPainter, rect: QRectF, state: QStyle.StateFlag, hit: Hit) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if state & QStyle.StateFlag.State_Selected:
-            painter.fillRect(rect, self.theme.color("accent_soft"))
+            paint_chosen(painter, rect, self.theme)
         elif state & QStyle.StateFlag.State_MouseOver:
             painter.fillRect(rect, self.theme.color("hover"))
         box = QRectF(rect.x() + 12, rect.center().y() - 7.5, 15, 15)

@@ -7,6 +7,7 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from situ_studio import icons
+from situ_studio.focus_ring import paint_chosen
 from situ_studio.letters import enlarged, px
 from situ_studio.theme import Theme, face
 
@@ -53,8 +54,7 @@ class RowDelegate(QStyledItemDelegate):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         selected = bool(state & QStyle.StateFlag.State_Selected)
         if selected:
-            painter.fillRect(full, theme.color("accent_soft"))
-            painter.fillRect(QRectF(0, full.y(), 2, full.height()), theme.color("accent"))
+            paint_chosen(painter, full, theme)
         elif state & QStyle.StateFlag.State_MouseOver:
             painter.fillRect(full, theme.color("hover"))
         if state & QStyle.StateFlag.State_HasFocus and not selected:

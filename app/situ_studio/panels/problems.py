@@ -35,6 +35,7 @@ from PySide6.QtWidgets import (
 
 from situ.document.problem import Problem
 from situ_studio import icons
+from situ_studio.focus_ring import paint_chosen
 from situ_studio.language import said
 from situ_studio.letters import px
 from situ_studio.panels.lists import PLACE, AnyIndex
@@ -125,7 +126,7 @@ class ProblemDelegate(QStyledItemDelegate):
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if state & QStyle.StateFlag.State_Selected:
-            painter.fillRect(rect, theme.color("accent_soft"))
+            paint_chosen(painter, rect, theme)
         elif state & QStyle.StateFlag.State_MouseOver:
             painter.fillRect(rect, theme.color("hover"))
         first = QRectF(rect.x(), rect.y(), rect.width(), px(28))

@@ -6,10 +6,18 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from msgspec import Struct
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
-from PySide6.QtGui import QFontMetrics, QKeyEvent, QMouseEvent, QShowEvent
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    QRectF,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QFontMetrics, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
+from situ_studio.focus_ring import paint_bar
 from situ_studio.letters import px
 from situ_studio.theme import Theme, font
 
@@ -153,6 +161,7 @@ class RowsTable(QTableView):
     ) -> None:
         super().__init__(parent)
         self.setAccessibleName(name)
+        self._theme = theme
         self.rows = RowsModel(titles, theme, self)
         self.setModel(self.rows)
         self.setShowGrid(False)
@@ -175,7 +184,16 @@ class RowsTable(QTableView):
         header.setStretchLastSection(True)
 
     def set_theme(self, theme: Theme) -> None:
+        self._theme = theme
         self.rows.set_theme(theme)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        for index in self.selectionModel().selectedRows():
+            row = QRectF(self.visualRect(index))
+            painter = QPainter(self.viewport())
+            paint_bar(painter, row, self._theme, px(2))
+            painter.end()
 
     def show_made(self, make: Callable[[], list[Row]]) -> None:
         """The rows that ``make`` gives: at once where they are seen, else once they are."""

@@ -9,6 +9,7 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from situ_studio import icons
+from situ_studio.focus_ring import paint_chosen
 from situ_studio.letters import enlarged, px
 from situ_studio.screens.media_pictures import picture
 from situ_studio.theme import FORM, LABEL, Theme, font
@@ -63,11 +64,9 @@ class MediaRows(QStyledItemDelegate):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(Qt.PenStyle.NoPen)
         if state & QStyle.StateFlag.State_Selected:
-            painter.setBrush(theme.color("accent_soft"))
-            painter.drawRoundedRect(rect, 4, 4)
+            paint_chosen(painter, rect, theme)
         elif state & QStyle.StateFlag.State_MouseOver:
-            painter.setBrush(theme.color("hover"))
-            painter.drawRoundedRect(rect, 4, 4)
+            painter.fillRect(rect, theme.color("hover"))
         box = QRectF(rect.x() + 6, rect.center().y() - 18, THUMBNAIL.width(), THUMBNAIL.height())
         said = self._thumbnail(painter, box, index)
         right = rect.right() - 8
@@ -100,6 +99,9 @@ class MediaRows(QStyledItemDelegate):
     ) -> str:
         """Paints what a row is about; says how large a picture is."""
         theme = self._theme
+        # Of any shape, all begin at the same place.
+        painter.setBrush(theme.color("canvas"))
+        painter.drawRoundedRect(box, 4, 4)
         found = picture(self._home, index.data(KEY)) if index.data(ICON) == "image" else None
         if found is None:
             icon, token = index.data(ICON), "accent" if index.data(KEY) == IMPORT else "text2"

@@ -73,6 +73,20 @@ def test_the_page_tells_where_media_are_used_and_leads_there(studio: Start, proj
     assert one != other
 
 
+def test_pictures_of_every_shape_begin_at_the_same_place(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.window.open_file(MEDIA)
+    used.settle()
+    rows = page(used).list
+    picture, ground = rows.viewport().grab().toImage(), used.window.theme.color("panel").rgb()
+    begins = set()
+    # A sound, a movie, a wide picture, and a square one.
+    for row in range(1, 5):
+        y = rows.visualRect(rows.indexFromItem(rows.item(row))).center().y()
+        begins.add(next(x for x in range(90) if picture.pixel(x, y) != ground))
+    assert len(begins) == 1
+
+
 def test_what_is_brought_is_there_at_once_and_is_dragged_onto_a_screen(
     studio: Start, project: Copy, tmp_path: Path
 ) -> None:
