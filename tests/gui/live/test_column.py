@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from msgspec import structs
 from PySide6.QtCore import QPoint, QRect, QRectF, Qt
-from PySide6.QtGui import QAccessible, QContextMenuEvent, QImage, QPainter
+from PySide6.QtGui import QAccessible, QContextMenuEvent, QFontMetrics, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from tests.gui.live.test_link import connect
@@ -181,7 +181,12 @@ def test_a_name_and_a_value_that_have_room_beside_each_other_are_not_cut(
 ) -> None:
     it, column = looked
     cut: list[str] = []
-    monkeypatch.setattr(column_list, "_cut", lambda _, words, room: cut.append(words) or words)
+
+    def cut_words(_: QFontMetrics, words: str, room: float) -> str:
+        cut.append(words)
+        return words
+
+    monkeypatch.setattr(column_list, "_cut", cut_words)
     plain, strong, small = Lettering(LABEL), Lettering(LABEL, 600), Lettering(CAPTION)
     delegate = ColumnDelegate(it.window.theme, column.data)
 
