@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtGui import QAccessible
+from PySide6.QtGui import QAccessible, QPainter
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from situ.document import rbd
@@ -16,9 +16,11 @@ from situ_studio.edit import Place
 from situ_studio.heard_as import hear_as
 from situ_studio.layouts import clear
 from situ_studio.letters import px
+from situ_studio.screens import guides, marks
 from situ_studio.screens.sheet import Sheet
+from situ_studio.screens.snapping import Snap
 from situ_studio.screens.state_screen import StateScreen
-from situ_studio.theme import Theme
+from situ_studio.theme import LIGHT, Theme
 
 
 class ScreenBeside(QScrollArea):
@@ -60,7 +62,7 @@ class ScreenBeside(QScrollArea):
         self.title = QLabel()
         self.title.setProperty("role", "section")
         column.addWidget(self.title)
-        self.sheet = Sheet(theme)
+        self.sheet = _GuidedSheet(theme)
         self._shown = StateScreen(self.sheet, theme, media, self)
         self._shown.selection_changed.connect(self.selection_changed)
         self._shown.edited.connect(self.edited)
@@ -82,6 +84,8 @@ class ScreenBeside(QScrollArea):
     def show_document(self, application: rbd.Application, problems: list[Problem]) -> None:
         """Takes a new value, of which ``select`` says what is shown."""
         self._shown.show_document(application, problems)
+        self.sheet.guides = guides.of(application)
+        self.sheet.update()
 
     def select(self, selected: tuple[Place, ...]) -> None:
         """Shows the screen of the first of these that has one, as it is now."""
@@ -111,3 +115,16 @@ class ScreenBeside(QScrollArea):
         part = self._shown.part
         actions = part.actions if isinstance(part, rbd.State) else ()
         return [one.text for one in actions if isinstance(one, rbd.Speech) and one.text]
+
+
+class _GuidedSheet(Sheet):
+    """Shows guides, which are put and moved in the designer."""
+
+    def paint_marks(self) -> None:
+        painter = QPainter(self)
+        upright = tuple(one.at for one in self.guides if one.axis == "x")
+        lying = tuple(one.at for one in self.guides if one.axis == "y")
+        # The robot's screen is light in both themes.
+        marks.paint_guides(painter, LIGHT, self.scale, Snap(0, 0, upright, lying))
+        painter.end()
+        super().paint_marks()

@@ -22,6 +22,7 @@ from situ.document.folder import load
 from situ.document.rbd import Application
 from situ_studio.screens import guides
 from situ_studio.screens.guides import Guide
+from situ_studio.theme import LIGHT
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]
@@ -233,3 +234,35 @@ def test_components_are_drawn_to_guides_which_no_robot_gets(drawing: Drawing) ->
     project, _ = load(root)
     assert project is not None
     assert b"guides" not in deployable(project)["reception.rbd.xml"]
+
+
+def test_guides_are_seen_and_drawn_to_beside_the_graph_too(drawing: Drawing) -> None:
+    used = drawing.used
+    drawing.drag(drawing.beside, QPoint(4, 200), drawing.spot(31, 97), ALT)
+    at = float(drawing.guides[0][1:])
+    used.click(used.window.tabs.views.button("split"))
+    used.settle()
+    sheet = used.window.beside.sheet
+
+    def is_seen() -> bool:
+        seen = sheet.grab().toImage()
+        ratio, ink = seen.devicePixelRatio(), LIGHT.color("guides")
+        x = round(sheet.scale.point(at, 3).x() * ratio)
+        y = round(sheet.scale.point(at, 3).y() * ratio)
+        return any(seen.pixelColor(x + by, y) == ink for by in (-1, 0, 1))
+
+    assert is_seen()
+    yes = sheet.own()["yes"]
+    middle = (yes.x + yes.width / 2, yes.y + yes.height / 2)
+    start = sheet.scale.point(*middle).toPoint()
+    end = sheet.scale.point(middle[0] + at - yes.x + 0.6, middle[1]).toPoint()
+    QTest.mousePress(sheet, LEFT, NONE, start)
+    for part in (1, 2, 3):
+        drawing._move(sheet, start + (end - start) * part / 3, NONE)
+    QTest.mouseRelease(sheet, LEFT, NONE, end)
+    used.settle()
+    assert sheet.own()["yes"].x == pytest.approx(at, abs=0.06)
+    drawing.undo()
+    drawing.undo()
+    assert drawing.guides == []
+    assert not is_seen()
