@@ -183,6 +183,52 @@ def test_the_form_shows_a_warning_as_one_and_an_error_as_one_and_mends_at_a_clic
     assert not told.isVisible()
 
 
+def test_of_many_problems_the_first_stand_above_the_form_and_a_button_shows_the_others(
+    studio: Start, folder: Callable[..., Path], dead_end: rbd.Application
+) -> None:
+    used = studio(folder(dead_end))
+    used.select("state", "2")
+    told = used.window.inspector.told
+    (found,) = [one for one in used.session.problems if one.place == ("state", "2")]
+
+    def show(count: int, place: tuple[str, ...] = ("state", "2")) -> None:
+        told.show_problems(tuple(replace(found, message=f"{n}", place=place) for n in range(count)))
+        used.settle()
+
+    def seen() -> list[str]:
+        labels = [one for one in told.findChildren(QLabel) if one.text() and one.isVisible()]
+        return [one.text() for one in labels]
+
+    def more() -> list[QPushButton]:
+        buttons = [one for one in told.findChildren(QPushButton) if one.isVisible()]
+        return [one for one in buttons if one.text().startswith("and ")]
+
+    show(2)
+    assert (seen(), more()) == (["0", "1"], [])
+    show(5)
+    (button,) = more()
+    assert (seen(), button.text()) == (["0", "1"], "and 3 more")
+    button.setFocus()
+    used.key(Qt.Key.Key_Space)
+    assert (seen(), more()) == (["0", "1", "2", "3", "4"], [])
+    # The keyboard is at the mend of the first that was not seen.
+    focused = used.window.focusWidget()
+    assert focused.text() == found.mend.words
+    assert focused.toolTip().endswith("\n2")
+    # They stay while this place is shown, and only there.
+    show(4)
+    assert (seen(), more()) == (["0", "1", "2", "3"], [])
+    show(4, ("state", "1"))
+    assert seen() == ["0", "1"]
+    # Where nothing mends them, it goes on to the form.
+    told.show_problems(tuple(replace(found, message=f"{n}", mend=None) for n in range(3)))
+    used.settle()
+    (button,) = more()
+    button.setFocus()
+    used.key(Qt.Key.Key_Space)
+    assert used.window.inspector.form.field("name").hasFocus()
+
+
 def test_a_long_mend_makes_no_panel_wider_and_short_places_leave_room_for_the_words(
     studio: Start, folder: Callable[..., Path], dead_end: rbd.Application
 ) -> None:

@@ -15,14 +15,21 @@ from PySide6.QtWidgets import (
 
 from situ.document.problem import Problem
 from situ_studio.icon_widgets import IconLabel
-from situ_studio.language import said
+from situ_studio.language import said, tr
 from situ_studio.layouts import clear
 from situ_studio.letters import px
+from situ_studio.tab_order import stops
 from situ_studio.theme import Theme
+
+SEEN = 2
+"""Problems that are seen at once: of more, the form would begin far below."""
 
 
 class Told(QWidget):
-    """A warning looks like one, an error like one: by its mark and by its colour."""
+    """A warning looks like one, an error like one: by its mark and by its colour.
+
+    Of many the first are seen; a button shows the others, as long as the same place is shown.
+    """
 
     mend_asked = Signal(object)
 
@@ -30,6 +37,7 @@ class Told(QWidget):
         super().__init__(parent)
         self._theme = theme
         self._shown: tuple[Problem, ...] = ()
+        self._unfolded = False
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(12, 8, 12, 0)
         self._grid.setHorizontalSpacing(6)
@@ -41,17 +49,23 @@ class Told(QWidget):
         """Errors first; none hides it."""
         problems = tuple(sorted(problems, key=lambda one: one.severity != "error"))
         if problems != self._shown:
-            self._shown = problems
+            before, self._shown = self._shown, problems
+            same = before and problems and before[0].place == problems[0].place
+            self._unfolded = self._unfolded and bool(same)
             clear(self._grid)
-            for problem in problems:
+            seen = len(problems) if self._unfolded else SEEN
+            for problem in problems[:seen]:
                 self._add(problem)
+            if problems[seen:]:
+                self._add_more(len(problems) - seen)
         self.setVisible(bool(problems))
 
     def set_theme(self, theme: Theme) -> None:
         """Takes the theme for what is shown from now on; ``retheme`` does what is shown."""
         self._theme = theme
 
-    def _add(self, problem: Problem) -> None:
+    def _add(self, problem: Problem) -> QWidget | None:
+        """What mends it, if anything does."""
         row = self._grid.rowCount()
         mark = IconLabel(self._theme, problem.severity, problem.severity, 14)
         self._grid.addWidget(mark, row, 0, Qt.AlignmentFlag.AlignTop)
@@ -64,12 +78,34 @@ class Told(QWidget):
         kind = self.tr("Error") if problem.severity == "error" else self.tr("Warning")
         words.setAccessibleName(f"{kind}: {words.text()}")
         self._grid.addWidget(words, row, 1)
-        if problem.mend is not None:
-            button = _Mend(said(problem.mend.words))
-            button.setProperty("role", "mend")
-            button.setToolTip(f"{button.text()}\n{words.text()}")
-            button.clicked.connect(lambda _=False: self.mend_asked.emit(problem))
-            self._grid.addWidget(button, row + 1, 1, Qt.AlignmentFlag.AlignLeft)
+        if problem.mend is None:
+            return None
+        button = _Mend(said(problem.mend.words))
+        button.setProperty("role", "mend")
+        button.setToolTip(f"{button.text()}\n{words.text()}")
+        button.clicked.connect(lambda _=False: self.mend_asked.emit(problem))
+        self._grid.addWidget(button, row + 1, 1, Qt.AlignmentFlag.AlignLeft)
+        return button
+
+    def _add_more(self, others: int) -> None:
+        button = QPushButton(tr("and {0} more").format(others))
+        button.setProperty("role", "mend")
+        button.clicked.connect(lambda: self._unfold(button))
+        left = Qt.AlignmentFlag.AlignLeft
+        self._grid.addWidget(button, self._grid.rowCount(), 1, left)
+
+    def _unfold(self, button: QPushButton) -> None:
+        self._unfolded = True
+        around = stops(self.parentWidget())
+        below = around[around.index(button) + 1 :]
+        mends = [self._add(problem) for problem in self._shown[SEEN:]]
+        # The keyboard goes to the first mend that was not seen, or on to the form.
+        goes_to = next(filter(None, (*mends, *below)), None)
+        if button.hasFocus() and goes_to is not None:
+            goes_to.show()
+            goes_to.setFocus(Qt.FocusReason.TabFocusReason)
+        button.hide()
+        button.deleteLater()
 
 
 class _Mend(QPushButton):
