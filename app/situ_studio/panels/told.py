@@ -96,7 +96,9 @@ class Told(QWidget):
 
     def _unfold(self, button: QPushButton) -> None:
         self._unfolded = True
-        around = stops(self.parentWidget())
+        panel = self.parentWidget()
+        assert panel is not None
+        around = stops(panel)
         below = around[around.index(button) + 1 :]
         mends = [self._add(problem) for problem in self._shown[SEEN:]]
         # The keyboard goes to the first mend that was not seen, or on to the form.
