@@ -46,6 +46,10 @@ class Pupil(Draughtsman):
         """Here the tutorial has a picture."""
         self.looked.append(name)
         if self._pictures is not None:
+            # What the next frames of a rehearsal would bring is in the picture.
+            self.window.robot.follower.refresh()
+            self.window.moment.column.draw()
+            self.settle()
             without_mouse(self)  # type: ignore[arg-type]
             picture, asking = self.window.grab(), QApplication.activeModalWidget()
             if asking is not None:
