@@ -17,7 +17,8 @@ from situ_studio import kinds
 from situ_studio.kinds import Field, Kind
 from situ_studio.kinds.application import COLORS
 from situ_studio.notes import note_of
-from situ_studio.screens.media_picker import MediaPicker
+from situ_studio.screens.media_picker import MediaPicker, names_data
+from situ_studio.screens.media_rows import IMPORT, KEY
 
 ALWAYS = "always"
 COUNTED = {"id", "event", "x", "y", "width", "height"}
@@ -221,10 +222,11 @@ class ApplicationDrawer(ConditionFiller):
         menu = QApplication.activePopupWidget()
         if isinstance(menu, MediaPicker):
             known = {choice.label for choice in menu.choices}
-            if name in known:
+            if name in known or names_data(name):
                 self.type(name)
             else:
-                self.key(Qt.Key.Key_Up)
+                while menu.list.currentItem().data(KEY) != IMPORT:
+                    self.key(Qt.Key.Key_Up)
                 self.key(Qt.Key.Key_Return)
 
 

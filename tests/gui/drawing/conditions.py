@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from tests.gui.drawing.forms import FormFiller
 
 from situ.document.condition import Condition, Group, Test
@@ -17,36 +15,25 @@ ADD = "Add a test"
 class ConditionFiller(FormFiller):
     """A condition has a plus of its own, and so has each group in it, below that."""
 
-    def condition(self, condition: Condition, above: Sequence[int] = (0, 0)) -> list[int]:
-        """above: how many pluses and tests stand above it in the form. Returns how many stand
-        above what comes next.
+    def condition(self, condition: Condition, above: int = 0) -> int:
+        """above: how many pluses stand above it in the form. Returns how many stand above what
+        comes next.
         """
-        below = list(above)
+        below = [above]
         for child in condition.children:
-            self._child(child, above[0], below)
-        return [below[0] + 1, below[1]]
+            self._child(child, above, below)
+        return below[0] + 1
 
     def _child(self, child: Test | Group, plus: int, below: list[int]) -> None:
-        """plus: that of the group in which it is. below: the lowest one, and how many tests."""
+        """plus: that of the group in which it is. below: the lowest one."""
         if isinstance(child, Test):
             self.menu_in_form(ADD, "A test", plus)
             self.one_test(child)
-            below[1] += 1
             return
         self.menu_in_form(ADD, dict(GROUPS)[child.kind].capitalize(), plus)
-        begun = below[1]
         below[0] += 1
-        below[1] += 1
         own = below[0]
-        first, *others = child.children
-        if isinstance(first, Test):
-            self.one_test(first)
-        else:
-            self._child(first, own, below)
-            # A group begins with a test, and is never empty.
-            self.press_in_form("Remove this test", begun)
-            below[1] -= 1
-        for one in others:
+        for one in child.children:
             self._child(one, own, below)
 
     def one_test(self, test: Test) -> None:

@@ -76,7 +76,7 @@ class ScriptDrawer(ConditionFiller):
                 "Ends": "" if situation.limit is None else write_number(situation.limit),
             }
         )
-        below = [0, 1]
+        below = 0
         for condition in (situation.condition or Condition(), situation.until or Condition()):
             below = self.condition(condition, below)
         self.press_in_form("Remove this test")
