@@ -93,22 +93,24 @@ def test_who_subscribes_to_everything_hears_what_he_may(
     ):
         ears = [listen(context, runtime, folder, ann) for folder in people.values()]
         heard: dict[str, list[bytes]] = {name: [] for name in people}
-        awaited = {"ann": b"trace\n", "face": b"masked:trace\n", "tablet": b"masked:t:user.name\n"}
+        topics: dict[str, set[bytes]] = {name: set() for name in people}
+        may = {
+            "ann": {b"trace"},
+            "face": {b"t:user.name", b"masked:trace"},
+            "tablet": {b"masked:trace", b"masked:t:user.name"},
+        }
         end = time.monotonic() + DEADLINE
-        while any(not any(f.startswith(awaited[who]) for f in heard[who]) for who in people):
-            assert time.monotonic() < end
+        while any(not may[who] <= topics[who] for who in people):
+            assert time.monotonic() < end, topics
             ann.set("user.name", SECRET)
             ann.publish("go")
             for name, ear in zip(people, ears, strict=True):
                 while ear.poll(0):
                     heard[name].append(ear.recv())
+                    topics[name].add(heard[name][-1].partition(b"\n")[0])
         for ear in ears:
             ear.close()
-    topics = {name: {f.partition(b"\n")[0] for f in frames} for name, frames in heard.items()}
-    assert b"trace" in topics["ann"]
-    assert {b"t:user.name", b"masked:trace"} <= topics["face"]
     assert b"trace" not in topics["face"]
-    assert {b"masked:trace", b"masked:t:user.name"} <= topics["tablet"]
     assert all(one.startswith((b"masked:", b"echo:", b"a:")) for one in topics["tablet"])
     assert SECRET not in b"".join(heard["tablet"]).decode()
     assert SECRET not in b"".join(f for f in heard["face"] if f.startswith(b"masked:")).decode()
