@@ -182,7 +182,11 @@ def test_all_of_a_kind_in_situ_toml_are_mended_as_one_step(used: Any) -> None:
 
 
 def test_what_is_told_above_the_form_has_its_mend_there(used: Any) -> None:
-    buttons = {one.text(): one for one in form(used).told.findChildren(QPushButton)}
+    def shown() -> dict[str, QPushButton]:
+        return {one.text(): one for one in form(used).told.findChildren(QPushButton)}
+
+    used.click(shown()["and 2 more"])
+    buttons = shown()
     assert {'Rename it to "languages"', 'Write "user.**"'} <= buttons.keys()
     used.click(buttons['Rename it to "languages"'])
     assert 'name = "ward"   # as on the door\n' in text(used)
