@@ -8,7 +8,6 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
-    QDialogButtonBox,
     QFrame,
     QLabel,
     QLineEdit,
@@ -18,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ_studio.application_uses import Renaming, Use
+from situ_studio.dialog_buttons import add_buttons
 from situ_studio.letters import px
 
 
@@ -62,14 +62,7 @@ class RenameApplication(QDialog):
         self.list = _rows(column, self.tr("What changes"))
         hint = self.tr("All of it is one step, which Undo takes back; files change when you save.")
         column.addWidget(_label(hint, "hint"))
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        role = QDialogButtonBox.ButtonRole.AcceptRole
-        self.rename = buttons.addButton(self.tr("Rename"), role)
-        self.rename.setProperty("role", "filled")
-        buttons.accepted.connect(self._agree)
-        buttons.rejected.connect(self.reject)
-        column.addWidget(buttons)
-        self.rename.setDefault(True)
+        self.rename = add_buttons(self, column, self.tr("Rename"), self._agree)
         self.name.textChanged.connect(self._settle)
         self.too.toggled.connect(self._settle)
         self.name.setFocus()
@@ -117,14 +110,7 @@ class DeleteApplication(QDialog):
         else:
             column.addWidget(_label(self.tr("Nothing else refers to it."), "label"))
             column.addStretch(1)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        role = QDialogButtonBox.ButtonRole.AcceptRole
-        self.delete = buttons.addButton(self.tr("Delete"), role)
-        self.delete.setProperty("role", "filled")
-        buttons.accepted.connect(self._agree)
-        buttons.rejected.connect(self.reject)
-        column.addWidget(buttons)
-        self.delete.setDefault(True)
+        self.delete = add_buttons(self, column, self.tr("Delete"), self._agree)
         self.delete.setFocus()
 
     def _agree(self) -> None:

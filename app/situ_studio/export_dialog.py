@@ -9,13 +9,13 @@ from msgspec import Struct
 from PySide6.QtCore import QRectF
 from PySide6.QtWidgets import (
     QDialog,
-    QDialogButtonBox,
     QFormLayout,
     QLabel,
     QVBoxLayout,
 )
 
 from situ_studio import picture
+from situ_studio.dialog_buttons import add_buttons
 from situ_studio.panels.fields import Choice
 from situ_studio.panels.stepped import Stepped
 
@@ -66,16 +66,7 @@ class ExportDialog(QDialog):
             form.addRow(self.tr("Scale"), self.scale)
             form.addRow(self.tr("Size"), self.size_)
         column.addLayout(form)
-        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self.export = self.buttons.addButton(
-            self.tr("Export"), QDialogButtonBox.ButtonRole.AcceptRole
-        )
-        self.export.setProperty("role", "filled")
-        self.buttons.accepted.connect(self.accept)
-        self.buttons.rejected.connect(self.reject)
-        column.addWidget(self.buttons)
-        # Here: a button that lies in no dialog yet would not be the dialog's.
-        self.export.setDefault(True)
+        self.export = add_buttons(self, column, self.tr("Export"), self.accept)
         self.what.currentIndexChanged.connect(self._settle)
         self.scale.valueChanged.connect(self._settle)
         self._settle()

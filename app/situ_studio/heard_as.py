@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QAccessibleWidget, QWidget
 from situ_studio.accessible_actions import NOTHING_MORE, PartActions
 
 INSTALLED = "situ_roles_are_heard"
-ROLE = "heard_as"
+ROLE, SPOKEN = "heard_as", "spoken_as"
 
 
 def hear_as(
@@ -63,5 +63,5 @@ def _factory(name: str, watched: QObject) -> Any:
         return None
     # Kept by what it speaks for: Qt holds no reference.
     spoken_as = HeardWidget(watched, told[0])
-    watched.spoken_as = spoken_as  # type: ignore[attr-defined]
+    setattr(watched, SPOKEN, spoken_as)
     return spoken_as

@@ -6327,10 +6327,6 @@ Draw what a robot says, shows and does.</source>
         <translation>保存</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
-    </message>
-    <message>
         <source>A file can not be called that.</source>
         <translation>ファイルにその名前は使えません。</translation>
     </message>

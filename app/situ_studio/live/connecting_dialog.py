@@ -10,7 +10,6 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QDialog,
-    QDialogButtonBox,
     QFrame,
     QHeaderView,
     QLabel,
@@ -22,6 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from situ_studio import icons
+from situ_studio.dialog_buttons import add_buttons
 from situ_studio.language import tr
 from situ_studio.letters import px
 from situ_studio.live.nearby import Found, NearbyRobots
@@ -70,15 +70,7 @@ class ConnectDialog(QDialog):
         self.address.selectAll()
         self.address.textChanged.connect(self._settle)
         column.addWidget(self.address)
-        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        accept = QDialogButtonBox.ButtonRole.AcceptRole
-        self.connect_button = self.buttons.addButton(self.tr("Connect"), accept)
-        self.connect_button.setProperty("role", "filled")
-        self.buttons.accepted.connect(self.accept)
-        self.buttons.rejected.connect(self.reject)
-        column.addWidget(self.buttons)
-        # Here: a button that lies in no dialog yet would not be the dialog's.
-        self.connect_button.setDefault(True)
+        self.connect_button = add_buttons(self, column, self.tr("Connect"), self.accept)
         self.address.setFocus()
         nearby.changed.connect(self._on_changed)
         self.finished.connect(nearby.stop)

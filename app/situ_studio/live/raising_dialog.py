@@ -8,7 +8,6 @@ from msgspec import Struct
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QDialog,
-    QDialogButtonBox,
     QFrame,
     QLabel,
     QListWidget,
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from situ.decide.expected import Expectation
 from situ.document import words
+from situ_studio.dialog_buttons import add_buttons
 from situ_studio.language import said, tr
 from situ_studio.letters import px
 from situ_studio.panels.fields import Line
@@ -92,15 +92,7 @@ class RaisingDialog(QDialog):
         self.line.complete_from(tuple(dict.fromkeys([*(o.name for o in offered), *known])))
         self.line.textChanged.connect(self._settle)
         column.addWidget(self.line)
-        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        accept = QDialogButtonBox.ButtonRole.AcceptRole
-        self.raise_button = self.buttons.addButton(self.tr("Raise"), accept)
-        self.raise_button.setProperty("role", "filled")
-        self.buttons.accepted.connect(self.accept)
-        self.buttons.rejected.connect(self.reject)
-        column.addWidget(self.buttons)
-        # Here: a button that lies in no dialog yet would not be the dialog's.
-        self.raise_button.setDefault(True)
+        self.raise_button = add_buttons(self, column, self.tr("Raise"), self.accept)
         self.line.setFocus()
         self._settle()
 

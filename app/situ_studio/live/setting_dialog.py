@@ -8,7 +8,6 @@ from typing import Any
 from msgspec import Struct
 from PySide6.QtWidgets import (
     QDialog,
-    QDialogButtonBox,
     QHBoxLayout,
     QLabel,
     QVBoxLayout,
@@ -18,6 +17,7 @@ from PySide6.QtWidgets import (
 from situ.decide.values import in_text
 from situ.document.spds import DataType
 from situ.document.values import is_number, read
+from situ_studio.dialog_buttons import add_buttons
 from situ_studio.language import tr
 from situ_studio.letters import px
 from situ_studio.named_box import NamedBox
@@ -69,15 +69,7 @@ class SettingDialog(QDialog):
         self.told.setWordWrap(True)
         column.addWidget(self.told)
         column.addStretch(1)
-        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        accept = QDialogButtonBox.ButtonRole.AcceptRole
-        self.set_button = self.buttons.addButton(self.tr("Set"), accept)
-        self.set_button.setProperty("role", "filled")
-        self.buttons.accepted.connect(self.accept)
-        self.buttons.rejected.connect(self.reject)
-        column.addWidget(self.buttons)
-        # Here: a button that lies in no dialog yet would not be the dialog's.
-        self.set_button.setDefault(True)
+        self.set_button = add_buttons(self, column, self.tr("Set"), self.accept)
         self.tag.textChanged.connect(self._settle)
         self.value.textChanged.connect(self._settle)
         self.tag.setFocus()

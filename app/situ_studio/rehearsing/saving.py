@@ -7,7 +7,6 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QDialog,
-    QDialogButtonBox,
     QLabel,
     QLineEdit,
     QListWidgetItem,
@@ -19,6 +18,7 @@ from situ.decide.inputs import Deploy
 from situ.document import folder
 from situ.errors import UsageError
 from situ.rehearse.suite import ENDING
+from situ_studio.dialog_buttons import add_buttons
 from situ_studio.letters import px
 from situ_studio.rehearsing.choices import Choices
 from situ_studio.rehearsing.course import Course
@@ -68,14 +68,7 @@ class SavingScenario(QDialog):
         self.why.setProperty("role", "refused")
         self.why.setWordWrap(True)
         column.addWidget(self.why)
-        buttons = QDialogButtonBox()
-        self.keep = buttons.addButton(self.tr("Save"), QDialogButtonBox.ButtonRole.AcceptRole)
-        self.keep.setProperty("role", "filled")
-        buttons.addButton(self.tr("Cancel"), QDialogButtonBox.ButtonRole.RejectRole)
-        buttons.accepted.connect(self._save)
-        buttons.rejected.connect(self.reject)
-        column.addWidget(buttons)
-        self.keep.setDefault(True)
+        self.keep = add_buttons(self, column, self.tr("Save"), self._save)
         self._settle()
 
     @property
