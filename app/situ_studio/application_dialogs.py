@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterable
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
-    QCheckBox,
     QDialog,
     QFrame,
     QLabel,
@@ -19,6 +18,8 @@ from PySide6.QtWidgets import (
 from situ_studio.application_uses import Renaming, Use
 from situ_studio.dialog_buttons import add_buttons
 from situ_studio.letters import px
+from situ_studio.panels.fields import Flag
+from situ_studio.theme import Theme
 
 
 class RenameApplication(QDialog):
@@ -37,6 +38,7 @@ class RenameApplication(QDialog):
         stem: str,
         called: str,
         proposed: Callable[[str, bool], Renaming | str],
+        theme: Theme,
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
@@ -51,9 +53,10 @@ class RenameApplication(QDialog):
         self.name.setAccessibleName(self.tr("Name of the file"))
         self.name.selectAll()
         column.addWidget(self.name)
-        self.too = QCheckBox(self.tr("The application is called so too, not {0}").format(called))
+        too = self.tr("The application is called so too, not {0}").format(called)
         if called == stem:
-            self.too.setText(self.tr("The application itself is called so too"))
+            too = self.tr("The application itself is called so too")
+        self.too = Flag(theme, too)
         self.too.setChecked(called == stem)
         column.addWidget(self.too)
         self.why = _label("", "refused")

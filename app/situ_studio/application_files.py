@@ -21,7 +21,7 @@ from situ.document.rbd import Application
 from situ.errors import UsageError
 from situ.rehearse.suite import ENDING, scenarios
 from situ_studio import application_uses as uses
-from situ_studio import showing
+from situ_studio import mentions, showing
 from situ_studio.application_dialogs import DeleteApplication, RenameApplication
 from situ_studio.edit import Written, read
 from situ_studio.left_open import Left, left, open_again
@@ -134,12 +134,16 @@ class ApplicationFiles(QObject):
             return
         application = self._session.document(file)
         assert isinstance(application, Application)
-        proposed = partial(self._proposed, file)
-        dialog = RenameApplication(stem(file), application.name, proposed, self._window)
+        # What was found once is not looked for again with each key.
+        proposed = partial(self._proposed, mentions.Index(), file)
+        window = self._window
+        dialog = RenameApplication(stem(file), application.name, proposed, window.theme, window)
         dialog.agreed.connect(partial(self._rename, file))
         self._open(dialog)
 
-    def _proposed(self, file: str, name: str, too: bool) -> uses.Renaming | str:
+    def _proposed(
+        self, index: mentions.Index, file: str, name: str, too: bool
+    ) -> uses.Renaming | str:
         project, application = self._session.project, self._session.document(file)
         if project is None or not isinstance(application, Application):
             return self.tr("{0} is not in this project.").format(file)
@@ -155,7 +159,7 @@ class ApplicationFiles(QObject):
         if own is not None and file not in project.parts and self._is_module(project, own):
             return self.tr("There is a module {0} already: choose another name.").format(own)
         try:
-            return uses.rename(project, self._values(project), file, new, own)
+            return uses.rename(project, self._values(project), index, file, new, own)
         except (UsageError, ValueError) as error:
             return str(error)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QAbstractButton, QCheckBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractButton, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from situ.document import names, words
 from situ.rehearse.usage import PLACE
@@ -13,7 +13,7 @@ from situ_studio.icon_widgets import Elided, ThemedButton, retheme
 from situ_studio.language import tr
 from situ_studio.letters import px
 from situ_studio.live.field_rows import NUMBERS, by_column, cells, rows, tips, titles
-from situ_studio.panels.fields import Line
+from situ_studio.panels.fields import Flag, Line
 from situ_studio.panels.table import RowsTable
 from situ_studio.theme import Theme
 
@@ -117,7 +117,7 @@ class FieldPanel(QWidget):
         self.files.setToolTip(tr("Counts what people did in recorded runs"))
         self.folder = ThemedButton(theme, "folder", tr("Folder…"), "mend", "accent", 14)
         self.folder.setToolTip(tr("Counts all recordings in a folder and those below it"))
-        self.paint = QCheckBox(tr("On the drawings"))
+        self.paint = Flag(theme, tr("On the drawings"))
         self.paint.setToolTip(
             tr("How often, how long and where the time ran out; 0× is where nobody came")
         )
@@ -166,6 +166,7 @@ class FieldPanel(QWidget):
     def set_theme(self, theme: Theme) -> None:
         self.table.set_theme(theme)
         retheme(self, theme)
+        self.paint.set_theme(theme)
 
     def clear(self) -> None:
         """Nothing has been counted."""
