@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import partial
 
 from msgspec import Struct
@@ -66,11 +66,16 @@ def wrong_name(stem: str) -> str:
 
 
 def rename(
-    project: Project, values: Values, file: str, new: str, name: str | None = None
+    project: Project,
+    values: Values,
+    index: mentions.Index,
+    file: str,
+    new: str,
+    name: str | None = None,
 ) -> Renaming:
     """The project's files with the application's file called ``new``; name: what it is called
-    itself then, None where that stays. ValueError, with a line for the user, where the name is
-    taken by a module.
+    itself then, None where that stays. index: the same one for each name that is tried.
+    ValueError, with a line for the user, where the name is taken by a module.
     """
     application = project.flows[file]
     old = application.name
@@ -78,7 +83,7 @@ def rename(
     changed: dict[str, Written | None] = {}
     after = project
     if name is not None and name != old:
-        after, followed = _called(project, file, name)
+        after, followed = _called(project, index, file, name)
         uses += [Use(file, tr("the application is called {0} in it").format(name))]
         uses += [Use(one, _counted(count)) for one, count in followed.items()]
         if file not in project.parts:
@@ -109,9 +114,9 @@ def rename(
         elif (
             new != file
             and isinstance(value, Catalogue)
-            and (moved_texts := _in_texts(value, file, new))
+            and (texts := _in_texts(value, file, new)) is not None
         ):
-            changed[one] = moved_texts[0]
+            changed[one] = texts
             uses.append(Use(one, tr("where its texts stand")))
     gone = {file: None} if new != file else {}
     return Renaming({new: own, **changed, **gone}, tuple(uses))
@@ -123,13 +128,15 @@ def unlisted(toml: Toml, file: str) -> Toml:
     return writing.put(toml, "project", "applications", left)
 
 
-def _called(project: Project, file: str, name: str) -> tuple[Project, dict[str, int]]:
+def _called(
+    project: Project, index: mentions.Index, file: str, name: str
+) -> tuple[Project, dict[str, int]]:
     """The project with the application of a file called ``name``, and in how many places of which
     other files it is named."""
     application = project.flows[file]
     old, after = application.name, project
+    every: list[mentions.Found] = []
     if file not in project.parts:
-        index = mentions.Index()
         every = list(index.every(project))
         known = mentions.tags(every, project) | {f"application/{old}"}
         tags = {
@@ -147,7 +154,7 @@ def _called(project: Project, file: str, name: str) -> tuple[Project, dict[str, 
             ).changed.items():
                 after = project_documents.exchanged(after, changed, document)
     called = replace(after.flows[file], name=name)
-    return project_documents.exchanged(after, file, called), _naming(project, file)
+    return project_documents.exchanged(after, file, called), _naming(every, file, old)
 
 
 def uses(project: Project, values: Values, file: str) -> tuple[Use, ...]:
@@ -158,21 +165,20 @@ def uses(project: Project, values: Values, file: str) -> tuple[Use, ...]:
         count = sum(s.flow == file for s in holder.states)
         if count and one != file:
             found.append(Use(one, _lacking(count)))
-    found += [Use(one, _counted(count)) for one, count in _naming(project, file).items()]
     if file not in project.parts:
         name = application.name
+        naming = _naming(mentions.Index().every(project), file, name)
+        found += [Use(one, _counted(count)) for one, count in naming.items()]
         for one, value in values.items():
             if isinstance(value, Lines) and (lines := _in_scenario(value, name, f"{name}-")):
                 found.append(Use(one, _lines(lines[1])))
     return tuple(found)
 
 
-def _naming(project: Project, file: str) -> dict[str, int]:
-    """In how many places of which other files an application is named as a module."""
-    if file in project.parts:
-        return {}
-    name, counts = project.flows[file].name, dict[str, int]()
-    for place in mentions.Index().every(project):
+def _naming(every: Iterable[mentions.Found], file: str, name: str) -> dict[str, int]:
+    """In how many places of which files but its own an application is named as a module."""
+    counts = dict[str, int]()
+    for place in every:
         if place.file != file and any(_is_of(role, n, name) for role, n in place.mention.names):
             counts[place.file] = counts.get(place.file, 0) + 1
     return counts
@@ -187,7 +193,7 @@ def _is_of(role: mentions.Role, written: str, name: str) -> bool:
     )
 
 
-def _in_texts(texts: Catalogue, file: str, new: str) -> tuple[Catalogue] | None:
+def _in_texts(texts: Catalogue, file: str, new: str) -> Catalogue | None:
     """The translations, which say where each text stands, with another file's name."""
     if not any(name == file for one in texts.translations for name, _ in one.files):
         return None
@@ -195,7 +201,7 @@ def _in_texts(texts: Catalogue, file: str, new: str) -> tuple[Catalogue] | None:
         replace(one, files=tuple((new if n == file else n, line) for n, line in one.files))
         for one in texts.translations
     )
-    return (replace(texts, translations=tuple(moved)),)
+    return replace(texts, translations=tuple(moved))
 
 
 def _in_scenario(scenario: Lines, old: str, new: str) -> tuple[Lines, int] | None:
