@@ -18,6 +18,7 @@ from msgspec.structs import replace
 from situ.blackboard import json_values, notices, protocol, replies, topics, wire
 from situ.blackboard.calls import Call, Person
 from situ.blackboard.feeds import Feed
+from situ.blackboard.holding import Holding
 from situ.blackboard.protocol import HEARTBEAT, LEASE, Request
 from situ.blackboard.subscriptions import Subscriptions
 from situ.blackboard.wire import Malformed
@@ -52,7 +53,6 @@ class Dialog:
         self.notifications: str | None = None
         self.outgoing: deque[bytes] = deque()
         self.changed: Callable[[], None] | None = None
-        self.holds: frozenset[str] = frozenset()
         self._ids = 0
         self._hellos: set[int] = set()
         self._calls: dict[int, Call[Any]] = {}
@@ -60,13 +60,10 @@ class Dialog:
         self._heard = self._listened = self._lost_at = float("-inf")
         self._next = float("-inf")
         self._turned: float | None = None
-        self._holds_seq = 0
-        self._asked: dict[object, tuple[tuple[str, ...], tuple[str, ...]]] = {}
         self._subscriptions = Subscriptions(self, person.module)
         self.subscribing = self._subscriptions.topics
         self.subscribing.append((topics.END, True))
-        for resource in person.resources:
-            self.subscribing.append((topics.authority(resource), True))
+        self._holding = Holding(self, person, self.subscribing.append, self._tell)
         self.watch = self._subscriptions.watch
         self.unwatch = self._subscriptions.unwatch
         self.messages = self._subscriptions.listen
@@ -76,8 +73,16 @@ class Dialog:
         self.perform = self._subscriptions.perform
         self.serve = self._subscriptions.serve
         self.unserve = self._subscriptions.unserve
+        self.acquire = self._holding.acquire
+        self.withdraw = self._holding.withdraw
+        self.abandon = self._holding.abandon
 
     # -- for its driver ------------------------------------------------------
+
+    @property
+    def holds(self) -> frozenset[str]:
+        """The resources that the module has, as last heard."""
+        return self._holding.holds
 
     @property
     def situ(self) -> str | None:
@@ -141,10 +146,7 @@ class Dialog:
         except (Malformed, ValueError):
             return
         if isinstance(notice, notices.Authority):
-            if notice.seq > self._holds_seq:
-                passed = {notice.resource}
-                mine = notice.to is not None and notice.to == self.person.module
-                self._hold(self.holds | passed if mine else self.holds - passed, notice.seq)
+            self._holding.hear(notice)
         elif isinstance(notice, notices.End):
             self.stopped = True
             if self.connected:
@@ -206,8 +208,7 @@ class Dialog:
         self.notifications = welcome.addresses.notifications
         self._next = now + HEARTBEAT
         if not welcome.resumed:
-            self._hold(frozenset(), 0)
-            self._request_again()
+            self._holding.renewed()
         waiting, self._waiting = self._waiting, []
         self._subscriptions.mask(topics.masked(self.person.role) if welcome.masked else ())
         self._subscriptions.renewed(restarted)
@@ -280,12 +281,12 @@ class Dialog:
                 )
         self.outgoing.clear()
         self._subscriptions.lost()
-        self._hold(frozenset(), 0)
+        self._holding.lost()
         self._tell()
 
     def _alive(self, alive: replies.Alive) -> None:
-        if self.person.module is not None and alive.seq >= self._holds_seq:
-            self._hold(frozenset(alive.holds), alive.seq)
+        if self.person.module is not None:
+            self._holding.stands(alive.holds, alive.seq)
         self._subscriptions.check(alive)
         if alive.deployed is not UNSET and alive.deployed != self.deployed:
             self.deployed = alive.deployed
@@ -294,12 +295,6 @@ class Dialog:
     def _tell(self) -> None:
         if self.changed is not None:
             self.changed()
-
-    def _hold(self, holds: frozenset[str], seq: int) -> None:
-        self._holds_seq = seq
-        if holds != self.holds:
-            self.holds = holds
-            self._tell()
 
     # -- requests ------------------------------------------------------------
 
@@ -429,49 +424,6 @@ class Dialog:
         """All that is watched, listened to, traced, carried out and answered."""
         one = self._subscriptions
         return [*one.watches, *one.messages, *one.feeds, *one.effects, *one.requests]
-
-    # -- authority -----------------------------------------------------------
-
-    def acquire(
-        self, key: object, resources: tuple[str, ...], optional: tuple[str, ...] = ()
-    ) -> Call[None]:
-        """Asks for what ``key`` wants beside all that other keys ask for."""
-        for resource in (*resources, *optional):
-            if resource not in self.person.resources:
-                self.subscribing.append((topics.authority(resource), True))
-        self._asked[key] = (resources, optional)
-        return self._acquire(again=True)
-
-    def withdraw(self, key: object) -> None:
-        """What ``key`` asked for was refused."""
-        self._asked.pop(key, None)
-
-    def abandon(self, key: object) -> Call[None]:
-        """Gives back what only ``key`` asked for."""
-        gone = self._asked.pop(key, ((), ()))
-        if not self._asked:
-            request = protocol.Abandon(id=self.next_id())
-            return self.ask(request, self._granted, again=True)
-        kept = {r for one in self._asked.values() for r in (*one[0], *one[1])}
-        given_back = tuple(r for r in (*gone[0], *gone[1]) if r not in kept)
-        if not given_back:
-            return self._acquire(again=True)
-        request = protocol.Abandon(id=self.next_id(), resources=given_back)
-        return self.ask(request, self._granted, again=True)
-
-    def _acquire(self, again: bool) -> Call[None]:
-        wanted = dict.fromkeys(r for one in self._asked.values() for r in one[0])
-        able = dict.fromkeys(r for one in self._asked.values() for r in one[1] if r not in wanted)
-        request = protocol.Acquire(id=self.next_id(), resources=tuple(wanted), optional=tuple(able))
-        return self.ask(request, self._granted, again)
-
-    def _request_again(self) -> None:
-        if self._asked:
-            self._acquire(again=False)
-
-    def _granted(self, granted: replies.Granted) -> None:
-        if granted.seq >= self._holds_seq:
-            self._hold(frozenset(granted.holds), granted.seq)
 
 
 def _nothing(reply: replies.Done) -> None:
