@@ -38,6 +38,8 @@ class Guiding(QObject):
         self._new = False
         for one in (sheet, ground, *ground.rulers):
             one.installEventFilter(self)
+        # So the mouse shows beside the screen, too, what it would take.
+        ground.setMouseTracking(True)
         ground.laid_out.connect(self._lay_out)
 
     # -- what is shown -------------------------------------------------------------------
@@ -166,8 +168,11 @@ class Guiding(QObject):
         kind, free = event.type(), bool(event.modifiers() & Qt.KeyboardModifier.AltModifier)
         if kind == QEvent.Type.MouseButtonPress and event.button() == Qt.MouseButton.LeftButton:
             return self._press(watched, at)
+        if kind == QEvent.Type.MouseMove and self._dragging:
+            return self._drag(at, free)
         if kind == QEvent.Type.MouseMove:
-            return self._drag(at, free) if self._dragging else self._hover(watched, at)
+            # With a button held it is something else that goes with the mouse.
+            return not event.buttons() and self._hover(watched, at)
         if kind == QEvent.Type.MouseButtonRelease and self._dragging:
             self._release()
             return True
@@ -176,15 +181,16 @@ class Guiding(QObject):
     def under(self, watched: QWidget, at: QPointF) -> Guide | None:
         """The guide that is taken at a place of the ground: a component or handle goes before."""
         sheet = self._sheet
-        if watched is sheet:
-            here = at - QPointF(sheet.pos())
-            if sheet.handle_under(here) or sheet.under(here):
-                return None
-        elif watched is not self._ground:
+        if watched is not sheet and watched is not self._ground:
             return None
         near = {one: abs(self._away(one, at)) for one in self.guides}
         nearest = min(near, key=lambda one: near[one], default=None)
-        return nearest if nearest is not None and near[nearest] <= NEAR else None
+        if nearest is None or near[nearest] > NEAR:
+            return None
+        here = at - QPointF(sheet.pos())
+        if watched is sheet and (sheet.handle_under(here) or sheet.under(here)):
+            return None
+        return nearest
 
     def _away(self, guide: Guide, at: QPointF) -> float:
         sheet = self._sheet.geometry()

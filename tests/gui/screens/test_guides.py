@@ -132,7 +132,13 @@ def test_a_guide_comes_out_of_a_ruler_goes_with_the_mouse_and_back_into_the_rule
     drawing.drag(drawing.above, QPoint(200, 4), drawing.spot(30, 63.5), ALT)
     assert drawing.guides[0] == "x22"
     assert 63.2 <= float(drawing.guides[1][1:]) <= 63.8
-    # On the screen where nothing lies, and on the ground beside it.
+    # The mouse shows what it would take, on the screen where nothing lies and on the ground.
+    for on, y in ((drawing.sheet, 97), (ground, -3)):
+        off = on.pos() if on is not ground else QPoint()
+        for x, shape in ((22, Qt.CursorShape.SplitHCursor), (60, Qt.CursorShape.ArrowCursor)):
+            QTest.mouseMove(on, drawing.spot(x, y) - off)
+            used.settle()
+            assert on.cursor().shape() == shape
     drawing.drag(drawing.sheet, drawing.spot(22, 97), drawing.spot(33, 97))
     assert drawing.guides[0] == "x33"
     assert used.session.undo_text == "Move a guide"
@@ -224,6 +230,11 @@ def test_components_are_drawn_to_guides_which_no_robot_gets(drawing: Drawing) ->
     # Its left edge comes near the guide, and is on it then.
     drawing.drag(drawing.sheet, start, drawing.spot(middle.x() + at - yes.x + 0.6, middle.y()))
     assert drawing.sheet.own()["yes"].x == pytest.approx(at, abs=0.06)
+    # With the mouse on a guide it follows, too: its middle is drawn to the guide then.
+    start = drawing.spot(round(at + yes.width / 2), middle.y())
+    drawing.drag(drawing.sheet, start, drawing.spot(at, 97))
+    moved = drawing.sheet.own()["yes"]
+    assert moved.x + moved.width / 2 == pytest.approx(at, abs=0.06)
     # On other screens of the application the guides are the same.
     used.window.select(("state", "5"))
     used.settle()
