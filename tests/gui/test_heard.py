@@ -215,16 +215,20 @@ def test_another_situation_is_told_while_it_is_followed(studio: Start, project: 
     rehearsing = used.window.rehearsing
     rehearsing.clock = lambda: 0.0
     told = hears(used)
+    more = QSignalSpy(used.window.status.announcements.told)
+
+    def until_told(words: str) -> None:
+        # Events are gathered for a frame before they are shown.
+        while words not in " ".join(told):
+            assert more.wait(PATIENCE), told
+
     rehearsing.rehearse()
     used.settle()
-    assert "Situation conversation" in " ".join(told)
+    until_told("Situation conversation")
     dial = rehearsing.desk.dials["robot.stop"]
     dial.flag.setFocus()
     used.key(Qt.Key.Key_Space)
-    # Events are gathered for a frame before they are shown.
-    more = QSignalSpy(used.window.status.announcements.told)
-    while "Situation stopped" not in " ".join(told):
-        assert more.wait(PATIENCE), told
+    until_told("Situation stopped")
     rehearsing.end()
 
 
