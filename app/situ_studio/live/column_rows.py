@@ -105,7 +105,7 @@ class Telling:
         self._resources = list(dict.fromkeys(r for one in declared for r in one.resources))
         self._known: dict[str, _Known] = {}
         self._values: dict[str, tuple[Entry, str]] = {}
-        self._named: tuple[list[str], str | None] = ([], None)
+        self._named: object = None
         self._tags: list[str] = []
 
     def _current(self, moment: Moment) -> _Known | None:
@@ -195,16 +195,18 @@ class Telling:
         only those whose names have it.
         """
         board = list(moment.board)
-        if (board, moment.situation) != self._named:
-            self._named = (board, moment.situation)
+        observed = [one.tag for one in self.script.observe] if self.script is not None else []
+        # What nobody has set says little, unless the situation rests on it. A field may come and go
+        # with what stands at its tag.
+        unset = [tag for tag in observed if entry_of(moment, tag) is None]
+        if (board, moment.situation, unset) != self._named:
+            self._named = (board, moment.situation, unset)
             known = self._current(moment)
-            observed = [one.tag for one in self.script.observe] if self.script is not None else []
             others = sorted({*board} - {BREAKPOINTS, PAUSED})
             others = [tag for tag in others if not kept_by_runtime(tag)]
             rests = known.rests if known is not None else ()
-            # What nobody has set says little, unless the situation rests on it.
-            every = sorted((*observed, *others), key=lambda tag: entry_of(moment, tag) is None)
-            self._tags = list(dict.fromkeys((*rests, *every)))
+            there = [tag for tag in observed if tag not in unset]
+            self._tags = list(dict.fromkeys((*rests, *there, *others, *unset)))
         if not found:
             return self._tags
         return [tag for tag in self._tags if found.casefold() in tag.casefold()]

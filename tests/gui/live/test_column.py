@@ -17,7 +17,7 @@ from tests.gui.live.test_recordings import opened, until_shown
 
 import situ
 from situ.document import condition
-from situ.document.spds import Situation, Spds
+from situ.document.spds import Observed, Situation, Spds
 from situ_studio.letters import px
 from situ_studio.live import column_list
 from situ_studio.live.column import MomentColumn
@@ -151,6 +151,22 @@ def test_of_tests_without_room_it_is_told_what_is_known(
     assert told is not None
     assert [part.holds for part in told.parts[:3]] == [True] * 3
     assert told.parts[3:] == (PartTold(words, holds),)
+
+
+def test_what_nobody_has_set_stands_last_and_comes_up_once_it_is_a_field_of_what_is_set() -> None:
+    observed = tuple(Observed(tag, "number") for tag in ("person.age", "slap", "far"))
+    rests = condition.Condition((condition.Test("far", "above", "3"),))
+    situation = Situation("here", condition=rests)
+    telling = Telling(Spds("script", observe=observed, situations=(situation,)))
+    moment = Moment()
+    assert telling.tags(moment) == ["person.age", "slap", "far"]
+    moment.situation = "here"
+    moment.board = {"person": Entry({}, "eyes", 0.0), "slap": Entry(2, "skin", 0.0)}
+    assert telling.tags(moment) == ["far", "slap", "person", "person.age"]
+    moment.board["person"] = Entry({"age": 41}, "eyes", 1.0)
+    assert telling.tags(moment) == ["far", "person.age", "slap", "person"]
+    moment.board["person"] = Entry({}, "eyes", 2.0)
+    assert telling.tags(moment) == ["far", "slap", "person", "person.age"]
 
 
 def test_the_name_of_the_situation_and_of_a_state_go_before_what_stands_beside_them(
