@@ -10,7 +10,7 @@ import re
 
 # As a Japanese keyboard types them.
 _WIDE = str.maketrans("０１２３４５６７８９", "0123456789")
-_GROUPED = re.compile(r"(?<![\d.,])\d{1,3}(?:,\d{3})+(?![\d,])")
+_GROUPED = re.compile(r"(?<![\d.．,，])\d{1,3}(?:[,，]\d{3})+(?![\d,，])")
 _TIME = re.compile(r"(?<![\d:：.])([01]?\d|2[0-3])[:：]([0-5]\d)(?![\d:：])")
 _DECIMAL = re.compile(r"(?<![\d.．])(\d+)[.．](\d+)(?![.．]?\d)")
 # No blank stands between a particle and a number: 気温は-5度.
@@ -29,7 +29,7 @@ def say_numbers(text: str) -> str:
     """5.6 as ごてんろく is said, with what stands behind the point digit by digit; 14:30 as a time
     of day, 1,234 as one number, a minus and a percent sign by their names. What has two points,
     as 1.2.3, is no number, and stays as it is."""
-    text = _GROUPED.sub(lambda found: found[0].replace(",", ""), text.translate(_WIDE))
+    text = _GROUPED.sub(lambda found: re.sub("[,，]", "", found[0]), text.translate(_WIDE))
     text = _TIME.sub(_time, text)
     text = _DECIMAL.sub(lambda found: f"{found[1]}てん{' '.join(found[2])}", text)
     return _PERCENT.sub("パーセント", _MINUS.sub("マイナス", text))
