@@ -72,6 +72,19 @@ def test_before_a_contact_is_removed_the_nurse_is_asked(store: Store, jack: Resi
     over_http(store, asking, "a-nurse")
 
 
+def test_nobody_s_name_is_translated(store: Store) -> None:
+    someone = store.add(12, "Name", "1234")
+    Contacts(store).add(someone.id, "family", "Friends", "sip:1@ward.invalid")
+
+    async def asking(session: aiohttp.ClientSession) -> None:
+        asked = await session.get(f"/residents/{someone.id}/contacts/1/remove")
+        told = await asked.text()
+        assert ">Name</a>" in told
+        assert "「Friends」を削除しますか。" in told
+
+    over_http(store, asking, "a-nurse", speaks="ja")
+
+
 def test_the_robot_may_call_whom_the_nurse_has_added(store: Store, jack: Resident) -> None:
     async def asking(session: aiohttp.ClientSession) -> None:
         page = f"/residents/{jack.id}"

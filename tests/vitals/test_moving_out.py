@@ -159,6 +159,9 @@ def test_the_nurse_is_told_that_who_called_has_moved_out(office: Office, jack: R
     told = "who lived there has moved out"
 
     async def asking(session: aiohttp.ClientSession) -> None:
+        await session.get("/", params={"token": "a-visitor"})
+        assert told not in await (await session.get("/")).text()
+        await session.get("/", params={"token": "a-nurse"})
         assert told in await (await session.get("/")).text()
         ward = await (await session.post("/calls/2")).text()
         assert told not in ward
@@ -166,7 +169,7 @@ def test_the_nurse_is_told_that_who_called_has_moved_out(office: Office, jack: R
         # Another nurse's page showed it still.
         assert (await session.post("/calls/2")).status == 200
 
-    over_http(office.store, asking, "a-nurse")
+    over_http(office.store, asking)
 
 
 def test_no_byte_of_who_is_gone_is_left_in_the_file(tmp_path: Path, clock: Clock) -> None:

@@ -93,7 +93,7 @@ def forget(one: Reminder) -> str:
     """Asks once more."""
     whom = say("all") if one.room is None else say("room {0}").format(one.room)
     what = f"{one.begins}, {whom}: {one.what}"
-    return asked(("Today", "/today"), "Today", one.what, what, f"/reminders/{one.id}")
+    return asked((say("Today"), "/today"), "Today", one.what, what, f"/reminders/{one.id}")
 
 
 def _outcome(outcome: str | None, open_: bool) -> str:

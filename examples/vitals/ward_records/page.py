@@ -150,7 +150,7 @@ def removal(href: str, what: str) -> str:
 def asked(back: tuple[str, str], title: str, what: str, more: str, action: str) -> str:
     """A page that asks whether something is to be removed. back: label and address of the page
     that it came from; more: of it, in a line."""
-    label, href = escape(say(back[0])), back[1]
+    label, href = escape(back[0]), back[1]
     body = (
         f'<p><a href="{href}">{label}</a></p>'
         f"<h1>{say('Remove {0}?').format(escape(what))}</h1><p>{escape(more)}</p>"
@@ -203,7 +203,7 @@ def _call(one: Call, open_: bool) -> str:
     why, room = (escape(say(one.why)), escape(say(one.room))) if open_ else (HIDDEN, HIDDEN)
     where = say("room {0}").format(room) if room.isdigit() else room
     said = f"<strong>{where}</strong>: {why}, {when(one.at)}"
-    if one.left:
+    if one.left and open_:
         left = say("who lived there has moved out: this goes once you have seen it")
         said += f"<br><small>{left}</small>"
     if one.seen is not None:
