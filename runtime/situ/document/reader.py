@@ -305,7 +305,7 @@ class _Reading:
         aside = replace(aside, after=after, attributes=(*aside.attributes, *spaces))
         return replace(document, aside=aside)
 
-    # -- start tags that are not wholly plain ------------------------------------
+    # -- what may not stand where it does ----------------------------------------
 
     def _limit(self, depth: int, index: int) -> None:
         if depth > MAX_DEPTH:
