@@ -9,7 +9,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QListWidgetItem, QWidget
 
-from situ.document.names import references
+from situ.document.names import only_reference, references
 from situ_studio.canvas.gestures import Follow
 from situ_studio.canvas.menu import FollowMenu
 from situ_studio.language import tr
@@ -27,11 +27,6 @@ ROWS = 6
 def names_data(src: str) -> bool:
     """Whether data names the file, or a part of its name."""
     return bool(references(src))
-
-
-def is_reference(src: str) -> bool:
-    """Whether it is data alone that names the file."""
-    return len(references(src)) == 1 and src.startswith("{") and src.endswith("}")
 
 
 def asked(kind: str) -> str:
@@ -60,7 +55,7 @@ class MediaPicker(FollowMenu):
         now: str = "",
         tags: Iterable[str] = (),
     ) -> None:
-        first = (now,) if is_reference(now) else ()
+        first = (now,) if only_reference(now) is not None else ()
         self._data = tuple(dict.fromkeys((*first, *(f"{{{tag}}}" for tag in tags))))
         choices = [Follow(IMPORT, tr("Import a file…"), "plus")]
         if self._data:

@@ -46,8 +46,11 @@ class Ruler(QWidget):
         self.update()
 
     def show_guides(self, guides: tuple[Guide, ...]) -> None:
-        self._guides = tuple(one for one in guides if one.axis == self.axis)
-        self.update()
+        own = tuple(one for one in guides if one.axis == self.axis)
+        # Told at every edit, and while a guide of the other axis is dragged.
+        if own != self._guides:
+            self._guides = own
+            self.update()
 
     def place(self, percent: float) -> float:
         """Px from its beginning at which a percent of the screen stands."""
