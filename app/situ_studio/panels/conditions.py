@@ -162,7 +162,7 @@ class ConditionEditor(QWidget):
     def _tell(self, shown: Condition, text: str) -> None:
         """Another condition; only what is in no empty group is told, and only where that is new."""
         told = _told(shown)
-        self._begun = shown if told is None or told != shown else None
+        self._begun = shown if told != shown else None
         if told != self._condition:
             self.changed.emit(told, text)
         else:

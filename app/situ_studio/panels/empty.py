@@ -34,7 +34,11 @@ class EmptyHint(QLabel):
         self._settle()
 
     def _settle(self) -> None:
-        self.setVisible(self._wanted and self._view.model().rowCount() == 0)
+        seen = self._wanted and self._view.model().rowCount() == 0
+        self.setVisible(seen)
+        if not seen:
+            # Rows come one by one.
+            return
         wide = min(self._view.viewport().width() - 2 * px(SIDE), px(WIDEST))
         self.setGeometry(px(SIDE), px(TOP), max(0, wide), self.heightForWidth(max(1, wide)))
 

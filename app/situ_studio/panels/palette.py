@@ -162,12 +162,7 @@ class Palette(QWidget):
 
     def _nothing(self) -> int:
         """Where nothing is drawn, how one comes to where there is something to add."""
-        label = QLabel(self.tr("Open a drawing to add to it."))
-        label.setProperty("role", "hint")
-        label.setFixedHeight(px(HEAD))
-        label.setContentsMargins(4, 0, 0, 0)
-        self._column.addWidget(label)
-        return px(HEAD)
+        return self._say(self.tr("Open a drawing to add to it."))
 
     def _head(self, part: str) -> int:
         """What divides a group from the one above: its name, where there is room; its height."""
@@ -175,7 +170,11 @@ class Palette(QWidget):
         if self._dense or not name:
             self._column.addSpacing(BETWEEN)
             return BETWEEN
-        label = QLabel(name)
+        return self._say(name)
+
+    def _say(self, words: str) -> int:
+        """A line of words; its height."""
+        label = QLabel(words)
         label.setProperty("role", "hint")
         label.setFixedHeight(px(HEAD))
         label.setContentsMargins(4, 0, 0, 0)
