@@ -189,11 +189,10 @@ class RowsTable(QTableView):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
+        painter = QPainter(self.viewport())
         for index in self.selectionModel().selectedRows():
-            row = QRectF(self.visualRect(index))
-            painter = QPainter(self.viewport())
-            paint_bar(painter, row, self._theme, px(2))
-            painter.end()
+            paint_bar(painter, QRectF(self.visualRect(index)), self._theme, px(2))
+        painter.end()
 
     def show_made(self, make: Callable[[], list[Row]]) -> None:
         """The rows that ``make`` gives: at once where they are seen, else once they are."""
