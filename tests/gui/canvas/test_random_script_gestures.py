@@ -21,8 +21,8 @@ from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas.script import ScriptCanvas
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
+RETURN = Qt.Key.Key_Return
 
-SLAP = Question("slap", "above", "3")
 RICH = Spds(
     name="rich",
     observe=(Observed("waving", "boolean"), Observed("slap", "number", "deg"), Observed("calling")),
@@ -148,9 +148,6 @@ def test_random_gestures(desk: Callable[..., Any], seed: int) -> None:
         made.undo()
     agree(made)
     assert made.document is made.done[0]
-
-
-RETURN = Qt.Key.Key_Return
 
 
 def laws(document: Spds) -> list[str]:
