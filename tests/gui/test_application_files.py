@@ -364,8 +364,11 @@ def test_what_is_not_saved_goes_along_and_what_can_not_be_written_loses_nothing(
     assert (tmp_path / "night.rbd.xml").read_text() == NIGHT
     assert "late.rbd.xml" in ward.session.dirty
     (tmp_path / "late.rbd.xml").rmdir()
-    # Another program wrote the old file meanwhile: it is not thrown away.
+    # Another program wrote the old file meanwhile: nothing is asked, and it is not thrown away.
     (tmp_path / "night.rbd.xml").write_text(NIGHT.replace("Bye", "Good bye"))
+    ward.session.disk.look()
+    ward.settle()
+    assert ward.window.notice.about != "night.rbd.xml"
     do(ward, "save")
     assert (tmp_path / "late.rbd.xml").is_file()
     assert "Good bye" in (tmp_path / "night.rbd.xml").read_text()
@@ -425,6 +428,15 @@ def test_the_menu_of_a_row_is_about_that_row_by_mouse_and_by_key(ward: Any) -> N
     choose(ward, "a.rbd.xml")
     QApplication.sendEvent(tree, QContextMenuEvent(keys, QPoint(1, 1), tree.mapToGlobal(QPoint())))
     press(ward, "Rename application…")
+    assert dialog(ward).name.text() == "a"
+    key(ward, Qt.Key.Key_Escape)
+    ward.settle()
+    # Once a menu is left, it is about the row that has the focus again.
+    QApplication.sendEvent(tree.viewport(), QContextMenuEvent(mouse, at, glob))
+    open_menu().close()
+    ward.settle()
+    tree.setFocus()
+    ward.key(Qt.Key.Key_F2)
     assert dialog(ward).name.text() == "a"
     key(ward, Qt.Key.Key_Escape)
     ward.settle()

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import QMargins, QSettings, Qt
 from PySide6.QtGui import QImage, QTextDocument
 from PySide6.QtTest import QTest
 
@@ -73,6 +73,19 @@ def test_it_begins_at_a_step_that_there_is_whatever_was_kept(
     window = opened(used)
     assert window.title.text() == window.steps[shown].title
     window.close()
+
+
+def test_it_is_as_large_as_it_was_made(studio: Start) -> None:
+    first = studio()
+    window = opened(first)
+    usual = window.size()
+    larger = usual.grownBy(QMargins(0, 0, 60, 40))
+    window.resize(larger)
+    window.close()
+    first.window.close()
+    again = opened(studio())
+    assert again.size() == larger != usual
+    again.close()
 
 
 def test_what_is_typed_stands_out_in_the_colours_of_the_window(used: Any) -> None:
