@@ -310,6 +310,17 @@ def test_cards_without_places_get_some_and_keep_them(desk: Make, check: Check) -
     check(made)
 
 
+def test_a_card_that_loses_its_place_gets_one_where_no_other_lies(made: Any, check: Check) -> None:
+    """As where somebody else writes the file without it."""
+    states = tuple(replace(s, aside=NOTHING) if s.no == "3" else s for s in made.document.states)
+    made.change(replace(made.document, states=states))
+    area = made.canvas.card_area
+    others = [uid for uid in made.canvas.graph.cards if uid != "3"]
+    assert len(others) == 5
+    assert not [uid for uid in others if area(uid).intersects(area("3"))]
+    check(made)
+
+
 def test_a_faulty_document_is_shown_as_it_is(desk: Make, check: Check) -> None:
     """Doubled numbers, no start, dangling targets: an editor shows them, check says so."""
     document = Application(
