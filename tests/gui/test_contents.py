@@ -19,6 +19,13 @@ from situ_studio.contents import Contents
 from situ_studio.folder_watch import FolderWatch
 
 FILE = "reception.rbd.xml"
+FR = """msgid ""
+msgstr ""
+"Content-Type: text/plain; charset=UTF-8\\n"
+
+msgid "Home"
+msgstr "Accueil"
+"""
 Opened = tuple[Contents, list[str]]
 
 
@@ -114,6 +121,23 @@ def test_a_list_that_is_taken_keeps_the_values_that_are_here(opened: Opened) -> 
     assert contents.project.name == "another"
     assert contents.adopt(replace(contents.project, applications={})) == {FILE}
     assert contents.changed == []
+
+
+def test_the_texts_of_a_language_that_is_not_saved_yet_are_read_anew_too(opened: Opened) -> None:
+    contents, _ = opened
+    toml, texts = contents.beside[PROJECT_FILE], contents.root / "texts" / "fr.po"
+    assert isinstance(toml, Toml)
+    texts.write_text(FR)
+    more = toml.text.replace('languages = ["en", "ja"]', 'languages = ["en", "ja", "fr"]')
+    contents.exchange(PROJECT_FILE, Toml(more))
+    assert contents.project.texts["fr"] == {"Home": "Accueil"}
+    texts.write_text(FR.replace("Accueil", "Retour"))
+    on_disk, _ = folder.load(contents.root)
+    assert on_disk is not None
+    assert contents.adopt(on_disk) == set()
+    contents.read_beside(kept=contents.changed)
+    assert contents.project.texts["fr"] == {"Home": "Retour"}
+    assert contents.changed == [PROJECT_FILE]
 
 
 def test_the_project_has_the_name_that_its_settings_say(opened: Opened) -> None:
