@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QVBoxLayout, QWidget
 from tests.gui.conftest import PATIENCE
 from tests.gui.live.test_comparing import until
 from tests.gui.live.test_field import recorded
-from tests.gui.live.test_recordings import until_shown
+from tests.gui.live.test_recordings import opened, until_shown
 from tests.gui.test_announcing import hears
 
 from situ_studio.heard_as import hear_as
@@ -169,7 +169,11 @@ def test_the_timeline_tells_in_words_where_a_key_takes_its_cursor(
         "Timeline",
     )
     timeline.chart.setFocus()
+    about = heard(timeline.chart).text(DESCRIPTION)
+    assert about.startswith(viewing.written(viewing.t))
     viewing.seek(9.0)
+    # A reader would tell each change of it, beside what is told.
+    assert heard(timeline.chart).text(DESCRIPTION) == about
     timeline.bookmarks.add(12.0, "asked")
     told = hears(used)
     used.key(Qt.Key.Key_PageDown)
@@ -230,6 +234,23 @@ def test_another_situation_is_told_while_it_is_followed(studio: Start, project: 
     used.key(Qt.Key.Key_Space)
     until_told("Situation stopped")
     rehearsing.end()
+
+
+def test_who_goes_to_another_moment_is_told_its_situation_by_no_news(
+    studio: Start, project: Copy, tmp_path: Path
+) -> None:
+    used, _ = opened(
+        studio, project("conversation"), tmp_path / "run.mcap", "conversation", "fig5.jsonl"
+    )
+    viewing, told = used.window.robot.follower.viewing, hears(used)
+    seen = set()
+    for t in (1.0, 4.2, 1.0):
+        viewing.seek(t)
+        used.settle()
+        seen.add(viewing.moment().situation)
+    assert seen == {"conversation", "accepted"}
+    assert not [words for words in told if "Situation" in words]
+    used.window.commands.close_recording()
 
 
 def test_a_dial_tells_its_value_with_its_unit(studio: Start, project: Copy) -> None:
