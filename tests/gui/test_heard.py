@@ -304,8 +304,9 @@ def test_what_scrolls_is_no_stop_where_something_in_it_is(studio: Start, project
 def ringed(widget: QWidget, colour: str) -> bool:
     """Whether its edge, as it is painted now, has that colour."""
     painted = widget.grab().toImage()
-    middle = painted.height() // 2
-    return any(painted.pixelColor(x, middle) == QColor(colour) for x in range(3))
+    # Above, where nothing of a slider's track is.
+    middle = painted.width() // 2
+    return any(painted.pixelColor(middle, y) == QColor(colour) for y in range(3))
 
 
 def test_what_paints_itself_shows_that_it_has_the_keyboard(
