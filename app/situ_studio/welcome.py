@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QRectF, Qt, Signal
@@ -18,8 +17,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ.document.rbd import Application
-from situ.document.spds import Spds
 from situ.resources import templates
 from situ_studio import icons
 from situ_studio.icon_widgets import ThemedButton
@@ -53,10 +50,7 @@ class Mark(QWidget):
 
 
 class Welcome(QScrollArea):
-    """Tells what a person wants to start with.
-
-    read: gives what the small picture of a project shows; it may take its time.
-    """
+    """Tells what a person wants to start with."""
 
     back_asked = Signal()
     new_asked = Signal()
@@ -74,15 +68,10 @@ class Welcome(QScrollArea):
     tutorial_asked = Signal()
     help_asked = Signal()
 
-    def __init__(
-        self,
-        theme: Theme,
-        read: Callable[[str], Application | Spds | None] = project_picture,
-        parent: QWidget | None = None,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
         self._theme = theme
-        self.pictures = SmallPictures(self, read)
+        self.pictures = SmallPictures(self, project_picture)
         self._cards: list[ExampleCard] = []
         self.setAccessibleName(self.tr("Welcome"))
         self.setWidgetResizable(True)

@@ -8,16 +8,17 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QDate, QLocale, Qt
+from PySide6.QtCore import QDate, QEvent, QLocale, Qt
 from PySide6.QtGui import QFontInfo
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QToolButton
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QToolButton, QWidget
 
 from situ.document import folder
 from situ.document.check import check
 from situ.resources import templates
 from situ_studio import recent
-from situ_studio.project_pictures import SmallPicture
+from situ_studio.project_pictures import SmallPicture, SmallPictures
+from situ_studio.theme import LIGHT
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -165,6 +166,27 @@ def test_recent_projects_and_templates_show_what_they_look_like(
     assert len(pictures) == 3
     assert all(picture.document is not None for picture in pictures)
     assert "2 hours ago" in [label.text() for label in used.window.welcome.findChildren(QLabel)]
+
+
+def test_projects_are_read_while_the_page_is_seen_and_for_no_card_that_is_gone(
+    qt: QApplication,
+) -> None:
+    read: list[str] = []
+    page = QWidget()
+    pictures = SmallPictures(page, read.append)
+    gone, there = (pictures.picture(LIGHT, "history", path) for path in ("gone", "there"))
+    QApplication.processEvents()
+    assert read == []
+    gone.deleteLater()
+    QApplication.sendPostedEvents(gone, QEvent.Type.DeferredDelete)
+    page.show()
+    pictures.go_on()
+    while pictures.waits:
+        QApplication.processEvents()
+    assert read == ["there"]
+    page.close()
+    there.deleteLater()
+    page.deleteLater()
 
 
 NOW = datetime(2026, 3, 5, 14, 0)
