@@ -19,6 +19,7 @@ TOLD = {
     ("state", "7", "screen"): "1 screen selected",
     ("state", "4", "screen", "confirm"): "1 component selected",
     ("always", "event", "0"): "1 event selected",
+    ("always", "screen"): "1 screen selected",
 }
 
 

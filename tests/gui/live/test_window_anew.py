@@ -191,6 +191,8 @@ def test_what_is_being_read_is_read_on_for_the_window_that_comes(
 
 def test_a_rehearsal_goes_on(studio: Callable[..., Any], project: Callable[[str], Path]) -> None:
     it = studio(project("reception"))
+    it.settle()
+    wide = it.window.docks["inspector"].width()
     it.window.rehearsing.clock = lambda: 0.0
     it.window.commands.rehearse()
     running = it.window.rehearsing.running
@@ -207,3 +209,5 @@ def test_a_rehearsal_goes_on(studio: Callable[..., Any], project: Callable[[str]
     assert running.seconds > t
     window.rehearsing.end()
     assert not window.docks["inspector"].isHidden()
+    it.settle()
+    assert window.docks["inspector"].width() == wide
