@@ -2,8 +2,9 @@
 
     python packaging/texts.py        renews resources/i18n: runtime.txt, studio_*.ts and studio_*.qm
 
-Three kinds of texts: ``self.tr("…")`` of QObjects and ``tr("…")`` of ``situ_studio.language``,
-which lupdate finds itself, the tables of commands and kinds, and the templates of the runtime.
+Three kinds of texts: ``self.tr("…")`` of QObjects and ``tr("…")`` of
+``situ_studio.wording.language``, which lupdate finds itself, the tables of commands and kinds, and
+the templates of the runtime.
 Needs the studio's environment. Texts that are gone are taken out of the .ts files.
 """
 
@@ -18,13 +19,15 @@ from pathlib import Path
 import msgspec
 import runtime_texts
 
-from situ_studio import actions, help_texts, kinds, shortcuts
+from situ_studio import actions, kinds
+from situ_studio.commands import shortcuts
+from situ_studio.help import help_texts
 from situ_studio.kinds import said
-from situ_studio.language import LANGUAGES
 from situ_studio.panels import test_box
 from situ_studio.panels.pairs import PAIRS
-from situ_studio.runtime_words import GLUE
 from situ_studio.screens import keyboard
+from situ_studio.wording.language import LANGUAGES
+from situ_studio.wording.runtime_words import GLUE
 
 ROOT = Path(__file__).resolve().parent.parent
 STUDIO = ROOT / "app" / "situ_studio"

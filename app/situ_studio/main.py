@@ -20,17 +20,17 @@ import situ
 from situ.document import folder
 from situ.errors import SituError, UsageError
 from situ.resources import examples, resource
-from situ_studio import picture
-from situ_studio.edit import Document
-from situ_studio.language import LANGUAGES, Speaking
+from situ_studio.edits.edit import Document
+from situ_studio.export import picture
 from situ_studio.log_file import LogFile, on_qt_message, usual_folder
+from situ_studio.looks.theme import load_fonts
 from situ_studio.panels.project_tree import stem
-from situ_studio.project_pictures import Example
-from situ_studio.theme import load_fonts
 from situ_studio.unexpected import Hooks, Interrupts, Unexpected
-from situ_studio.views import VIEWS
-from situ_studio.window import MainWindow
-from situ_studio.windows import Windows
+from situ_studio.views.table import VIEWS
+from situ_studio.welcome.project_pictures import Example
+from situ_studio.window.main_window import MainWindow
+from situ_studio.window.windows import Windows
+from situ_studio.wording.language import LANGUAGES, Speaking
 
 _log = logging.getLogger("situ.studio")
 

@@ -17,7 +17,7 @@ from PySide6.QtCore import QObject, QSocketNotifier, Signal
 from PySide6.QtWidgets import QApplication
 
 import situ
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 _log = logging.getLogger("situ.studio")
 

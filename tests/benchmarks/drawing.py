@@ -130,8 +130,8 @@ def _canvas(data: bytes) -> Any:
     """A canvas that shows the application."""
     from situ.document import codec
     from situ.document.rbd import Application
-    from situ_studio import theme
     from situ_studio.canvas.application import ApplicationCanvas
+    from situ_studio.looks import theme
 
     document, problems = codec.read(data, "dialogue.rbd.xml")
     assert isinstance(document, Application)

@@ -37,8 +37,8 @@ def _window(size: int, app: Any) -> Iterator[Any]:
     """A window with a project of one application, all of it shown, at 100 %."""
     from PySide6.QtCore import QSettings
 
-    from situ_studio.session import Session
-    from situ_studio.window import MainWindow
+    from situ_studio.project.session import Session
+    from situ_studio.window.main_window import MainWindow
 
     with tempfile.TemporaryDirectory(prefix="situ-bench-") as folder:
         root = Path(folder)

@@ -23,11 +23,11 @@ def _keeping() -> Iterator[Mapping[str, Sample]]:
     from msgspec.structs import replace
 
     from situ.document.rbd import Application
-    from situ_studio import edit
+    from situ_studio.edits import edit
+    from situ_studio.files.recovery import Recovery
+    from situ_studio.looks.theme import LIGHT
     from situ_studio.panels.notice import Notice
-    from situ_studio.recovery import Recovery
-    from situ_studio.session import Session
-    from situ_studio.theme import LIGHT
+    from situ_studio.project.session import Session
 
     with tempfile.TemporaryDirectory() as scratch, qt() as app:
         folder = Path(scratch)

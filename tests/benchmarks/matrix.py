@@ -45,10 +45,10 @@ def _samples() -> Iterator[Mapping[str, Sample]]:
 
         from situ.document import codec
         from situ.document.spds import Spds
+        from situ_studio.looks.theme import LIGHT
         from situ_studio.matrix import edits
         from situ_studio.matrix.view import MatrixView
-        from situ_studio.theme import LIGHT
-        from situ_studio.views import Setting
+        from situ_studio.views.table import Setting
 
         found, _ = codec.read(script(), "big.spds.xml")
         assert isinstance(found, Spds)

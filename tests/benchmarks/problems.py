@@ -24,7 +24,7 @@ def _problems() -> Iterator[Mapping[str, Sample]]:
 
     from situ.document.check import check
     from situ.document.folder import load_texts
-    from situ_studio.checking import Checker
+    from situ_studio.problems.checking import Checker
 
     data = documents.dialogue(SIZE).decode()
     project, _ = load_texts({"situ.toml": PROJECT, "dialogue.rbd.xml": data})

@@ -69,8 +69,8 @@ def _frames() -> Iterator[Mapping[str, Sample]]:
 def _sheet() -> Any:
     from situ.document import codec
     from situ.document.rbd import Application
+    from situ_studio.looks.theme import LIGHT
     from situ_studio.screens.sheet import Sheet
-    from situ_studio.theme import LIGHT
 
     document, _ = codec.read(application(MANY), "screens.rbd.xml")
     assert isinstance(document, Application)
@@ -107,7 +107,7 @@ def _bare() -> Any:
     from PySide6.QtGui import QPainter, QPaintEvent
     from PySide6.QtWidgets import QWidget
 
-    from situ_studio.theme import LIGHT, font
+    from situ_studio.looks.theme import LIGHT, font
 
     class Bare(QWidget):
         def paintEvent(self, event: QPaintEvent) -> None:
@@ -149,8 +149,8 @@ def _edits() -> Iterator[Mapping[str, Sample]]:
 def _window(components: int, app: Any) -> Iterator[Any]:
     from PySide6.QtCore import QSettings
 
-    from situ_studio.session import Session
-    from situ_studio.window import MainWindow
+    from situ_studio.project.session import Session
+    from situ_studio.window.main_window import MainWindow
 
     with tempfile.TemporaryDirectory(prefix="situ-bench-") as folder:
         root = Path(folder)

@@ -63,7 +63,7 @@ def _open(size: tuple[int, int], app: Any) -> Any:
     from situ.document import codec
     from situ.document.spds import Spds
     from situ_studio.canvas.script import ScriptCanvas
-    from situ_studio.theme import LIGHT
+    from situ_studio.looks.theme import LIGHT
 
     document, problems = codec.read(script(*size), "big.spds.xml")
     assert isinstance(document, Spds)

@@ -30,10 +30,10 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QWidget
 
 from situ.resources import example
 from situ_studio import main
-from situ_studio.export_dialog import Export
-from situ_studio.language import Speaking
+from situ_studio.export.export_dialog import Export
 from situ_studio.live.connecting_dialog import Chosen
-from situ_studio.window import MainWindow
+from situ_studio.window.main_window import MainWindow
+from situ_studio.wording.language import Speaking
 
 PATIENCE = 20_000
 """Milliseconds that a signal gets to come."""

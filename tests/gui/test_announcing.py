@@ -163,7 +163,7 @@ def test_what_becomes_of_the_link_is_told_and_not_each_second_of_it(studio: Star
 def test_who_listens_hears_an_announcement_as_a_notification(
     studio: Start, listening: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("situ_studio.announcing.QSysInfo.kernelType", lambda: "linux")
+    monkeypatch.setattr("situ_studio.assistive.announcing.QSysInfo.kernelType", lambda: "linux")
     used = studio()
     announcements = used.window.status.announcements
     told: list[Any] = []
@@ -181,7 +181,7 @@ def test_who_listens_hears_an_announcement_as_a_notification(
 def test_where_no_notifications_are_heard_an_announcement_is_sent(
     studio: Start, listening: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("situ_studio.announcing.QSysInfo.kernelType", lambda: "winnt")
+    monkeypatch.setattr("situ_studio.assistive.announcing.QSysInfo.kernelType", lambda: "winnt")
     used = studio()
     announcements = used.window.status.announcements
     told: list[Any] = []

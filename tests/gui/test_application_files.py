@@ -19,7 +19,7 @@ from tests.gui.test_recovery import crash
 from situ.document import folder
 from situ.document.check import check, merge
 from situ_studio.panels.lists import PLACE
-from situ_studio.showing import show_beside
+from situ_studio.views.showing import show_beside
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication
 from situ.document import catalogue
 from situ.document.beside import Toml
 from situ.document.catalogue import Catalogue, Translation
-from situ_studio.session import Session
+from situ_studio.project.session import Session
 
 Copy = Callable[[str], Path]
 JA, DE, TOML = "texts/ja.po", "texts/de.po", "situ.toml"
@@ -79,7 +79,7 @@ def test_a_step_through_documents_and_texts_is_one(session: Session) -> None:
     texts = session.value(JA)
     assert application is not None
     assert isinstance(texts, Catalogue)
-    from situ_studio import places
+    from situ_studio.edits import places
 
     other = places.change(application, ("state", "1"), name="other")
     changed = {"reception.rbd.xml": other, JA: Catalogue()}

@@ -11,9 +11,10 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 from situ.document import rbd
-from situ_studio import kinds, places
-from situ_studio.changes import set_field
-from situ_studio.edit import Place
+from situ_studio import kinds
+from situ_studio.edits import places
+from situ_studio.edits.changes import set_field
+from situ_studio.edits.edit import Place
 
 PLACE: Place = ("state", "1", "screen", "button1")
 NEW = kinds.BUTTON.make("button1")

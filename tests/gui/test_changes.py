@@ -11,8 +11,9 @@ from situ.document.condition import Test as Check
 from situ.document.rbd import Application, Button, Event, Screen, Speech, State, Timeout
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
 from situ.resources import example
-from situ_studio import changes, kinds, places, words
-from situ_studio.insert import NotHere, insert
+from situ_studio import kinds
+from situ_studio.commands.insert import NotHere, insert
+from situ_studio.edits import changes, places, words
 
 
 @pytest.fixture

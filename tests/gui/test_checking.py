@@ -13,7 +13,7 @@ from PySide6.QtTest import QSignalSpy
 from situ.document.check import check
 from situ.document.project import Project
 from situ.document.rbd import Application, Event, State
-from situ_studio.checking import Checker
+from situ_studio.problems.checking import Checker
 
 PATIENCE = 20_000
 

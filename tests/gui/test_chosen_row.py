@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractItemView
 
-from situ_studio import theme
+from situ_studio.looks import theme
 from situ_studio.panels.project_tree import MEDIA
 from situ_studio.panels.table import Row
 

@@ -13,7 +13,8 @@ from PySide6.QtCore import QEvent
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-from situ_studio import main, theme
+from situ_studio import main
+from situ_studio.looks import theme
 
 Copy = Callable[[str], Path]
 

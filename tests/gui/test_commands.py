@@ -15,9 +15,9 @@ from PySide6.QtWidgets import QApplication, QMenu
 
 from situ.document.condition import Test as Question
 from situ_studio.actions import COMMANDS, MENUS, command
-from situ_studio.commands import Commands
-from situ_studio.menus import told
-from situ_studio.shortcuts import Shortcuts
+from situ_studio.commands.commands import Commands
+from situ_studio.commands.menus import told
+from situ_studio.commands.shortcuts import Shortcuts
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -390,7 +390,7 @@ def test_a_guard_is_added_and_filled_in_by_keys(studio: Start, project: Copy) ->
 def test_cards_off_the_grid_are_put_on_it(studio: Start, project: Copy) -> None:
     folder = project("reception")
     used = studio(folder)
-    from situ_studio import places
+    from situ_studio.edits import places
 
     document = used.session.document("reception.rbd.xml")
     state = document.state("2")

@@ -15,8 +15,8 @@ from situ.document.beside import Beside, Toml
 from situ.document.folder import PROJECT_FILE
 from situ.document.rbd import Application, State
 from situ.errors import UsageError
-from situ_studio.contents import Contents
-from situ_studio.folder_watch import FolderWatch
+from situ_studio.project.contents import Contents
+from situ_studio.project.folder_watch import FolderWatch
 
 FILE = "reception.rbd.xml"
 FR = """msgid ""

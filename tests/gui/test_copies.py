@@ -18,8 +18,8 @@ from situ.document.aside import NOTHING
 from situ.document.drawing import Note
 from situ.document.rbd import Application, Event, State, Timeout
 from situ.resources import example
-from situ_studio import copies
 from situ_studio.canvas import gestures
+from situ_studio.copying import copies
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 

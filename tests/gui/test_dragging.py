@@ -10,12 +10,13 @@ from PySide6.QtCore import QMimeData, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication
 
-from situ_studio import dragging, kinds
+from situ_studio import kinds
+from situ_studio.looks.theme import LIGHT
 from situ_studio.panels.palette import PaletteItem
 from situ_studio.screens.tag_chips import TAG, TagChip
 from situ_studio.screens.template_tiles import TemplateTile
 from situ_studio.screens.templates import TEMPLATE, templates
-from situ_studio.theme import LIGHT
+from situ_studio.widgets import dragging
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 BUTTONS: dict[str, Callable[[], QAbstractButton]] = {

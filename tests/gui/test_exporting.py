@@ -23,11 +23,12 @@ from PySide6.QtWidgets import QApplication
 
 from situ.document import folder
 from situ.resources import example
-from situ_studio import exporting, letters, picture, printing
-from situ_studio.chosen_printer import chosen
-from situ_studio.dialogs import Dialogs
-from situ_studio.export_dialog import ExportDialog, What
-from situ_studio.large_export import Drawing, LargeExport
+from situ_studio.export import exporting, picture, printing
+from situ_studio.export.chosen_printer import chosen
+from situ_studio.export.export_dialog import ExportDialog, What
+from situ_studio.export.large_export import Drawing, LargeExport
+from situ_studio.looks import letters
+from situ_studio.window.dialogs import Dialogs
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]

@@ -15,9 +15,9 @@ from PySide6.QtCore import QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
-from situ_studio.details import Details
 from situ_studio.log_file import OLD, SIZE, LogFile
 from situ_studio.unexpected import Hooks, Interrupts, Unexpected
+from situ_studio.widgets.details import Details
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]

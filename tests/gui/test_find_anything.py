@@ -10,8 +10,8 @@ import pytest
 from PySide6.QtCore import QSettings, Qt
 
 from situ_studio.actions import COMMANDS
-from situ_studio.find import FOUND, Find, letters
-from situ_studio.reasons import reasons
+from situ_studio.commands.reasons import reasons
+from situ_studio.finding.find import FOUND, Find, letters
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 

@@ -9,9 +9,9 @@ from typing import Any
 from PySide6.QtCore import Qt
 
 from situ.document import rbd
-from situ_studio.mentions import Found, mentions
+from situ_studio.edits.mentions import Found, mentions
+from situ_studio.finding.search import search
 from situ_studio.panels.lists import PLACE
-from situ_studio.search import search
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier

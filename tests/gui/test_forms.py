@@ -11,9 +11,9 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFrame, QScrollBar
 
-from situ_studio import places
+from situ_studio.edits import places
+from situ_studio.edits.vocabulary import Vocabulary
 from situ_studio.panels.conditions import AddTest
-from situ_studio.vocabulary import Vocabulary
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier

@@ -17,13 +17,13 @@ from tests.gui.live.test_field import recorded
 from tests.gui.live.test_recordings import opened, until_shown
 from tests.gui.test_announcing import hears
 
-from situ_studio.heard_as import hear_as
-from situ_studio.layouts import clear
-from situ_studio.named_box import NamedBox
+from situ_studio.assistive.heard_as import hear_as
+from situ_studio.assistive.tab_order import stops
 from situ_studio.panels.conditions import GroupBox
 from situ_studio.panels.rows import RowWidget
 from situ_studio.panels.test_box import TestBox
-from situ_studio.tab_order import stops
+from situ_studio.widgets.layouts import clear
+from situ_studio.widgets.named_box import NamedBox
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]

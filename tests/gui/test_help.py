@@ -24,8 +24,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ_studio import actions, help_texts, kinds
-from situ_studio.help_topics import HELP, topics
+from situ_studio import actions, kinds
+from situ_studio.help import help_texts
+from situ_studio.help.help_topics import HELP, topics
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 Start = Callable[..., Any]

@@ -13,7 +13,8 @@ from PySide6.QtWidgets import QApplication
 
 import situ_studio
 from situ.resources import resource
-from situ_studio import actions, icons, kinds
+from situ_studio import actions, kinds
+from situ_studio.looks import icons
 
 FILES = sorted(file for file in resource("icons").iterdir() if file.name.endswith(".svg"))
 NAMES = {Path(file.name).stem for file in FILES}

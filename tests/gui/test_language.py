@@ -12,7 +12,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from tests.gui.conftest import Studio
 
-from situ_studio.language import Speaking, language_of
+from situ_studio.wording.language import Speaking, language_of
 
 
 @pytest.fixture(autouse=True)

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtGui import QFontDatabase, QRawFont
 
 from situ.document.care_screen import FULL_ONES, LETTER, LETTERS, NARROW, NARROW_ONES
-from situ_studio.theme import load_fonts
+from situ_studio.looks.theme import load_fonts
 
 FONTS = Path(__file__).resolve().parents[2] / "resources" / "fonts"
 TIGHT = 0.015

@@ -23,10 +23,10 @@ from tests.gui.live.test_comparing import until
 from tests.gui.live.test_field import recorded, until_counted
 from tests.gui.live.test_recordings import until_shown
 
-from situ_studio import letters, theme
-from situ_studio.dialogs import Dialogs
-from situ_studio.language import Speaking
-from situ_studio.shortcuts import Shortcuts
+from situ_studio.commands.shortcuts import Shortcuts
+from situ_studio.looks import letters, theme
+from situ_studio.window.dialogs import Dialogs
+from situ_studio.wording.language import Speaking
 
 PICTURES = Path(__file__).with_name("pictures")
 DIFFERS = PICTURES / "differs"

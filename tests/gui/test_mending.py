@@ -15,11 +15,11 @@ from PySide6.QtWidgets import QApplication, QMenu, QToolTip
 
 from situ.document import codec
 from situ.document.beside import Toml
-from situ_studio import places
-from situ_studio.alike_mending import AlikeMending
+from situ_studio.edits import places
+from situ_studio.looks.theme import LIGHT
 from situ_studio.panels.lists import MARKS
 from situ_studio.panels.problems import PROBLEM
-from situ_studio.theme import LIGHT
+from situ_studio.problems.alike_mending import AlikeMending
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 PATIENCE = 20_000

@@ -15,9 +15,9 @@ from situ.document.condition import Condition
 from situ.document.condition import Test as Asked
 from situ.document.project import Project
 from situ.resources import example
-from situ_studio import mentions, places, renames
-from situ_studio.mentions import Found, Index
-from situ_studio.notes import comments_on
+from situ_studio.edits import mentions, places, renames
+from situ_studio.edits.mentions import Found, Index
+from situ_studio.edits.notes import comments_on
 
 
 @dataclass

@@ -20,8 +20,8 @@ from situ.blackboard.replies import ModuleState
 from situ.document.folder import load
 from situ.document.modules import Module, Modules, Provides, Requires
 from situ_studio.kinds import MODULE_MIME
-from situ_studio.known_modules import Known, added, known
 from situ_studio.panels.more_modules import words
+from situ_studio.project.known_modules import Known, added, known
 
 __all__ = ["DEADLINE", "Running", "robot", "until"]
 

@@ -11,8 +11,8 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
-from situ_studio import places
-from situ_studio.preferences import Preferences
+from situ_studio.commands.preferences import Preferences
+from situ_studio.edits import places
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier

@@ -17,18 +17,18 @@ from tests.gui.live.test_field import recorded, until_counted
 from tests.gui.live.test_recordings import until_shown
 
 from situ_studio.canvas.viewer import Viewer
-from situ_studio.conflict import ConflictDialog
-from situ_studio.details import Details
-from situ_studio.differing import Differing
-from situ_studio.export_dialog import ExportDialog, What
+from situ_studio.commands.preferences import Preferences
+from situ_studio.commands.shortcuts import Shortcuts
+from situ_studio.edits.vocabulary import Vocabulary
+from situ_studio.export.export_dialog import ExportDialog, What
+from situ_studio.export.print_preview import reach_by_keys
+from situ_studio.files.conflict import ConflictDialog
 from situ_studio.live.raising_dialog import Offer, RaisingDialog
 from situ_studio.live.setting_dialog import SettingDialog
-from situ_studio.preferences import Preferences
-from situ_studio.print_preview import reach_by_keys
+from situ_studio.project.differing import Differing
 from situ_studio.screens.devices import USUAL
 from situ_studio.screens.own_device import OwnDevice
-from situ_studio.shortcuts import Shortcuts
-from situ_studio.vocabulary import Vocabulary
+from situ_studio.widgets.details import Details
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]

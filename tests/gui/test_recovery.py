@@ -19,8 +19,8 @@ from PySide6.QtCore import QEventLoop, QSettings, Qt, QTimer
 from situ.document import codec
 from situ.document.folder import clear_unfinished
 from situ.document.rbd import Application, State
-from situ_studio import leftovers
-from situ_studio.recovery import LARGE
+from situ_studio.files import leftovers
+from situ_studio.files.recovery import LARGE
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 FILE = "reception.rbd.xml"
@@ -163,7 +163,9 @@ def ran(script: str, *arguments: str, home: Path) -> subprocess.CompletedProcess
 _ENDED = """
 import os, signal, sys
 from PySide6.QtCore import QSettings, QTimer
-from situ_studio import main, places, windows
+from situ_studio import main
+from situ_studio.edits import places
+from situ_studio.window.main_window import windows
 settings = QSettings(sys.argv[2], QSettings.Format.IniFormat)
 main.QSettings = lambda: settings
 made = windows.Windows.open_window
@@ -198,8 +200,9 @@ from pathlib import Path
 from PySide6.QtCore import QSettings
 from situ.document import codec
 from situ.document.folder import clear_unfinished
-from situ_studio import main, places
-from situ_studio.kept import read
+from situ_studio import main
+from situ_studio.edits import places
+from situ_studio.files.kept import read
 FILE = "reception.rbd.xml"
 folder, home = Path(sys.argv[1]), Path(sys.argv[2]).parent / "recovery"
 window = main.create_window(folder, QSettings(sys.argv[2], QSettings.Format.IniFormat))
@@ -396,7 +399,8 @@ _KEEPING = """
 import os, signal, sys
 from pathlib import Path
 from PySide6.QtCore import QSettings
-from situ_studio import main, places
+from situ_studio import main
+from situ_studio.edits import places
 FILE = "reception.rbd.xml"
 window = main.create_window(Path(sys.argv[1]), QSettings(sys.argv[2], QSettings.Format.IniFormat))
 keeping = window.recovery

@@ -6,8 +6,8 @@ from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QFontMetricsF, QImage, QPainter, QStandardItem, QStandardItemModel
 from PySide6.QtWidgets import QApplication, QStyleOptionViewItem
 
+from situ_studio.looks.theme import LIGHT, face
 from situ_studio.panels.lists import COUNT, RowDelegate
-from situ_studio.theme import LIGHT, face
 
 WIDTH = 208
 

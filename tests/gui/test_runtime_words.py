@@ -23,7 +23,7 @@ from situ.rehearse.suite import scenarios
 from situ.rehearse.telling import Teller
 from situ.rehearse.why import why_not
 from situ.resources import example
-from situ_studio.runtime_words import RuntimeWords, templates
+from situ_studio.wording.runtime_words import RuntimeWords, templates
 
 ROOT = Path(__file__).resolve().parents[2]
 KNOWN = templates()

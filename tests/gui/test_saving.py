@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QSignalSpy
 
 from situ.document.folder import load
-from situ_studio.conflict import ConflictDialog
+from situ_studio.files.conflict import ConflictDialog
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 FILE = "reception.rbd.xml"

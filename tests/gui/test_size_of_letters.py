@@ -18,17 +18,18 @@ from tests.gui.conftest import Studio
 from situ.document import folder
 from situ.document.rbd import Application
 from situ.resources import example
-from situ_studio import letters, picture
 from situ_studio.canvas.gestures import FOLLOWS
 from situ_studio.canvas.menu import FollowMenu
+from situ_studio.commands.preferences import Preferences
+from situ_studio.export import picture
+from situ_studio.looks import letters
+from situ_studio.looks.theme import BODY, LIGHT, face, font
 from situ_studio.panels.project_tree import ProjectTree
-from situ_studio.preferences import Preferences
+from situ_studio.panels.tabs import CountButton
 from situ_studio.screens.painting import paint_screen
 from situ_studio.screens.sample_table import SampleTable
 from situ_studio.screens.strip import StateStrip
-from situ_studio.tabs import CountButton
-from situ_studio.theme import BODY, LIGHT, face, font
-from situ_studio.windows import Windows
+from situ_studio.window.windows import Windows
 
 Start = Callable[..., Studio]
 Copy = Callable[[str], Path]

@@ -9,7 +9,7 @@ from typing import Any
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from situ_studio.views import VIEWS
+from situ_studio.views.table import VIEWS
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 

@@ -14,7 +14,7 @@ from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
-from situ_studio import icons
+from situ_studio.looks import icons
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]

@@ -11,7 +11,7 @@ from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QApplication, QWidget
 
-from situ_studio.tab_order import reading_order
+from situ_studio.assistive.tab_order import reading_order
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]

@@ -14,9 +14,10 @@ from PySide6.QtGui import QColor, QKeySequence
 from PySide6.QtWidgets import QApplication, QSlider
 
 from situ.document import rbd
-from situ_studio import actions, kinds, theme
-from situ_studio.commands import Commands
-from situ_studio.theme_qss import qss
+from situ_studio import actions, kinds
+from situ_studio.commands.commands import Commands
+from situ_studio.looks import theme
+from situ_studio.looks.theme_qss import qss
 
 
 def subclasses(base: type) -> Iterator[type]:

@@ -36,12 +36,12 @@ from tests.gui.conftest import Studio
 
 from situ.document.rbd import Always, Application, Event, State
 from situ.resources import resource
-from situ_studio import language
 from situ_studio.canvas.menu import FollowMenu
-from situ_studio.icon_widgets import Elided
-from situ_studio.mentions import Found, mentions
-from situ_studio.search import search
-from situ_studio.theme import LIGHT
+from situ_studio.edits.mentions import Found, mentions
+from situ_studio.finding.search import search
+from situ_studio.looks.theme import LIGHT
+from situ_studio.widgets.icon_widgets import Elided
+from situ_studio.wording import language
 
 ROOT = Path(__file__).resolve().parents[2]
 HOLES = re.compile(r"\{\d*\}|%n|%\d")

@@ -342,7 +342,7 @@ def test_the_tree_opens_the_texts(used: Any) -> None:
 @pytest.fixture
 def model(qt: QApplication, project: Callable[[str], Path]) -> Iterator[TextsTable]:
     """A table of its own over the reception."""
-    from situ_studio.theme import LIGHT
+    from situ_studio.looks.theme import LIGHT
 
     made = TextsTable(LIGHT, tuple)
     yield made

@@ -11,7 +11,7 @@ from PySide6.QtGui import QImage, QTextDocument
 from PySide6.QtTest import QTest
 
 from situ.resources import tutorial
-from situ_studio.tutorial import STEP, Step, steps
+from situ_studio.help.tutorial import STEP, Step, steps
 
 Start = Callable[..., Any]
 IMAGE = QTextDocument.ResourceType.ImageResource.value

@@ -13,15 +13,16 @@ from PySide6.QtWidgets import QApplication
 from situ.document.project import Project
 from situ.document.rbd import Application, Event, Screen, State, Text
 from situ.document.ready import load_ready
-from situ_studio import find, words
 from situ_studio.canvas import gestures
 from situ_studio.canvas.projection import Projector
+from situ_studio.edits import words
+from situ_studio.edits.mentions import Found, mentions
+from situ_studio.edits.vocabulary import Vocabulary
+from situ_studio.finding import find
+from situ_studio.finding.search import search
 from situ_studio.live.breakpoints import Breakpoints
-from situ_studio.mentions import Found, mentions
+from situ_studio.looks.theme import LIGHT
 from situ_studio.panels.field_making import next_choices
-from situ_studio.search import search
-from situ_studio.theme import LIGHT
-from situ_studio.vocabulary import Vocabulary
 
 FILE = "talk.rbd.xml"
 

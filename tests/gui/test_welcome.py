@@ -16,9 +16,9 @@ from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QToolButton, QW
 from situ.document import folder
 from situ.document.check import check
 from situ.resources import templates
-from situ_studio import recent
-from situ_studio.project_pictures import SmallPicture, SmallPictures
-from situ_studio.theme import LIGHT
+from situ_studio.looks.theme import LIGHT
+from situ_studio.welcome import recent
+from situ_studio.welcome.project_pictures import SmallPicture, SmallPictures
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 

@@ -212,7 +212,7 @@ def test_problems_come_and_go_with_edits(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
     assert used.session.problems == []
     used.select("state", "2", "event", "0")
-    from situ_studio import places
+    from situ_studio.edits import places
 
     broken = places.change(
         used.session.document("reception.rbd.xml"), ("state", "2", "event", "0"), next="99"

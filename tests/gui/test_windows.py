@@ -17,12 +17,12 @@ from tests.gui.conftest import Studio
 from situ.document import folder
 from situ.document.problem import Problem
 from situ.document.project import Project
-from situ_studio import leftovers
-from situ_studio.claim import Claim
-from situ_studio.language import Speaking
-from situ_studio.opening import NAME
-from situ_studio.showing import showing
-from situ_studio.windows import Windows
+from situ_studio.files import leftovers
+from situ_studio.files.claim import Claim
+from situ_studio.files.opening import NAME
+from situ_studio.views.showing import showing
+from situ_studio.window.windows import Windows
+from situ_studio.wording.language import Speaking
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier

@@ -14,10 +14,10 @@ from PySide6.QtTest import QSignalSpy
 from PySide6.QtWidgets import QApplication
 
 from situ.document import folder
-from situ_studio import opening
-from situ_studio.checking import Checker, CheckWork
-from situ_studio.opening import Opening
-from situ_studio.working import WorkStrip
+from situ_studio.files import opening
+from situ_studio.files.opening import Opening
+from situ_studio.problems.checking import Checker, CheckWork
+from situ_studio.processes.working import WorkStrip
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]

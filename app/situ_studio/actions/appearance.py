@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from situ_studio import letters
 from situ_studio.actions.command import Command, row
-from situ_studio.language import LANGUAGES, SYSTEM
+from situ_studio.looks import letters
+from situ_studio.wording.language import LANGUAGES, SYSTEM
 
 APPEARANCE: tuple[Command, ...] = (
     row(

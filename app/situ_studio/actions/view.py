@@ -8,7 +8,7 @@ from situ.document.folder import PROJECT_FILE, TEXTS_FOLDER
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio.actions.command import Command, row
-from situ_studio.views import VIEWS
+from situ_studio.views.table import VIEWS
 
 _ONLY: dict[tuple[type[Any], ...], str] = {
     (Application,): "is_application",

@@ -21,11 +21,11 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAccessibleWidget
 
-from situ_studio.accessible_actions import NOTHING_MORE, PartActions
+from situ_studio.assistive.accessible_actions import NOTHING_MORE, PartActions
 from situ_studio.canvas.spoken import Spoken
 from situ_studio.canvas.viewer import Viewer
-from situ_studio.edit import Place
-from situ_studio.language import tr
+from situ_studio.edits.edit import Place
+from situ_studio.wording.language import tr
 
 INSTALLED = "situ_cards_are_accessible"
 ROLES = {

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import QWidget
 
 from situ.document.problem import Problem
 from situ.document.rbd import Application
-from situ_studio import places
 from situ_studio.canvas import counted, gestures, intents, layout, spoken
 from situ_studio.canvas.between import Between
 from situ_studio.canvas.cards import CardItem
@@ -29,12 +28,13 @@ from situ_studio.canvas.piping import Piping
 from situ_studio.canvas.positions import Positions
 from situ_studio.canvas.projection import Projector
 from situ_studio.canvas.what_follows import WhatFollows
-from situ_studio.copying import Copying
-from situ_studio.edit import Place
-from situ_studio.insert import insert
+from situ_studio.commands.insert import insert
+from situ_studio.copying.clipboard import Copying
+from situ_studio.edits import places
+from situ_studio.edits.edit import Place
 from situ_studio.kinds import Kind
-from situ_studio.language import tr
-from situ_studio.theme import Theme
+from situ_studio.looks.theme import Theme
+from situ_studio.wording.language import tr
 
 
 class ApplicationCanvas(CommandedCanvas, Copying):

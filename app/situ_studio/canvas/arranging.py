@@ -9,7 +9,7 @@ import msgspec
 from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 
 from situ_studio.canvas.layout import Shape
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 COMMAND = (sys.executable, "-m", "situ_studio.canvas.layout_process")
 LIMIT = 20.0

@@ -21,9 +21,9 @@ from situ_studio.canvas.overlay import Advice, InPlace, MiniMap, ZoomBar, name_e
 from situ_studio.canvas.pipes import RoutedPipe
 from situ_studio.canvas.style import FULL, Look
 from situ_studio.canvas.viewer import Viewer
-from situ_studio.edit import Place
-from situ_studio.insert import NotHere, insert
-from situ_studio.theme import Theme
+from situ_studio.commands.insert import NotHere, insert
+from situ_studio.edits.edit import Place
+from situ_studio.looks.theme import Theme
 
 BAR = 40.0
 """The lower edge that the zoom bar takes."""

@@ -13,7 +13,7 @@ from situ.document.rbd import Application
 from situ_studio.canvas import gestures
 from situ_studio.canvas.picture import Card
 from situ_studio.canvas.pipes import RoutedPipe
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 if TYPE_CHECKING:
     from situ_studio.canvas.application import ApplicationCanvas

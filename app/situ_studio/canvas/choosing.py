@@ -12,7 +12,7 @@ from situ_studio.canvas.filling import Filling
 from situ_studio.canvas.graph import Graph
 from situ_studio.canvas.overlay import MiniMap
 from situ_studio.canvas.viewer import Viewer
-from situ_studio.edit import Place
+from situ_studio.edits.edit import Place
 
 
 class Choosing(QWidget):

@@ -6,7 +6,7 @@ from situ.document.rbd import Application
 from situ_studio.canvas import gestures
 from situ_studio.canvas.base import Canvas
 from situ_studio.canvas.picture import NEW, Card, Picture, exit_of
-from situ_studio.edit import Place
+from situ_studio.edits.edit import Place
 
 
 class CommandedCanvas(Canvas):

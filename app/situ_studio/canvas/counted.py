@@ -11,8 +11,8 @@ from PySide6.QtGui import QPainter, QPen
 from situ.document import words
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.canvas.style import Look, whole_label
-from situ_studio.language import tr
-from situ_studio.lasting import lasting
+from situ_studio.wording.language import tr
+from situ_studio.wording.lasting import lasting
 
 HIGH = 18.0
 """Px of the strip that lies over the card's upper edge."""

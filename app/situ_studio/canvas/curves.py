@@ -23,7 +23,7 @@ from situ_studio.canvas.pipes import ABOVE, HIT, UNDER, RoutedPipe
 from situ_studio.canvas.routes import Route
 from situ_studio.canvas.script_faces import Inherited, ScriptLink
 from situ_studio.canvas.style import Label, Look
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 PILL = 18.0
 FAR_SIGN = 16.0

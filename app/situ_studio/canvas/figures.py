@@ -14,9 +14,9 @@ from msgspec.structs import replace
 from situ.document import drawing
 from situ.document.drawing import Drawn, Frame, Note
 from situ.document.rbd import Application
-from situ_studio import places, words
-from situ_studio.edit import Place
-from situ_studio.language import tr
+from situ_studio.edits import places, words
+from situ_studio.edits.edit import Place
+from situ_studio.wording.language import tr
 
 Area = tuple[float, float, float, float]
 """Left, top, width and height in the scene."""

@@ -13,8 +13,8 @@ from situ_studio.canvas import figures, gestures
 from situ_studio.canvas.figure_items import FigureItem
 from situ_studio.canvas.figures import Area, Figure
 from situ_studio.canvas.note_editor import NoteEditor
-from situ_studio.edit import Place
-from situ_studio.exchanged import draws_the_same
+from situ_studio.edits.edit import Place
+from situ_studio.edits.exchanged import draws_the_same
 
 if TYPE_CHECKING:
     from situ_studio.canvas.application import ApplicationCanvas

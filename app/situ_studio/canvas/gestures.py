@@ -16,12 +16,12 @@ from msgspec.structs import replace
 from situ.document import rbd
 from situ.document.aside import NOTHING
 from situ.document.rbd import Application, Event, State
-from situ_studio import changes, places, words
 from situ_studio.canvas import figures
 from situ_studio.canvas.picture import ALWAYS, NEW, TIMEOUT, exit_of
 from situ_studio.canvas.projection import targets
-from situ_studio.edit import Place
-from situ_studio.language import tr
+from situ_studio.edits import changes, places, words
+from situ_studio.edits.edit import Place
+from situ_studio.wording.language import tr
 
 GRID = 8.0
 """Cards snap to this."""

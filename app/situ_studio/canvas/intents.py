@@ -8,7 +8,7 @@ from typing import Any
 from situ.document.rbd import Application
 from situ_studio.canvas import gestures
 from situ_studio.canvas.picture import Picture, place_of
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 
 def connected(

@@ -9,12 +9,12 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QLineEdit, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
-from situ_studio import icons
-from situ_studio.announcing import CurrentRow
+from situ_studio.assistive.announcing import CurrentRow
 from situ_studio.canvas.gestures import Follow
-from situ_studio.language import tr
-from situ_studio.letters import px
-from situ_studio.theme import FORM, Theme, font
+from situ_studio.looks import icons
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import FORM, Theme, font
+from situ_studio.wording.language import tr
 
 
 class FollowMenu(QFrame):

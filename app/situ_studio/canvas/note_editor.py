@@ -9,8 +9,8 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from situ_studio.canvas.style import Look
-from situ_studio.language import tr
-from situ_studio.theme import face
+from situ_studio.looks.theme import face
+from situ_studio.wording.language import tr
 
 
 class NoteEditor(QPlainTextEdit):

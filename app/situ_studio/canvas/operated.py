@@ -7,7 +7,7 @@ from PySide6.QtGui import QPainter, QPen
 
 from situ_studio.canvas.live import LiveView
 from situ_studio.canvas.style import Look, whole_label
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 EDGE = 18.0
 """Px of the breakpoint's sign, which stands on the card's left edge."""

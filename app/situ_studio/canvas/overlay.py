@@ -17,10 +17,10 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QToolButton, QWidget
 
-from situ_studio import icons
-from situ_studio.language import tr
-from situ_studio.letters import px
-from situ_studio.theme import BODY, LABEL, Theme, face, font
+from situ_studio.looks import icons
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import BODY, LABEL, Theme, face, font
+from situ_studio.wording.language import tr
 
 if TYPE_CHECKING:
     from situ_studio.canvas.style import Look

@@ -8,7 +8,7 @@ from typing import Any
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPainterPath, QStaticText
 
-from situ_studio.edit import Place
+from situ_studio.edits.edit import Place
 
 MARGIN = 24.0
 """Px left round a drawing."""

@@ -13,9 +13,9 @@ from msgspec import Struct
 
 from situ.document import rbd
 from situ_studio.canvas.problem_marks import NONE, Mark, Sign
-from situ_studio.edit import Place
-from situ_studio.language import tr
-from situ_studio.words import state_called
+from situ_studio.edits.edit import Place
+from situ_studio.edits.words import state_called
+from situ_studio.wording.language import tr
 
 WIDTH = 176.0
 HEADER = 28.0

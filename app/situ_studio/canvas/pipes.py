@@ -19,7 +19,7 @@ from situ_studio.canvas.pipe_labels import PipeLabel
 from situ_studio.canvas.problem_marks import Sign
 from situ_studio.canvas.routes import Point, Route
 from situ_studio.canvas.style import Look
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 CORNER = 8.0
 UNDER, SIGNED, ABOVE = -1.0, -0.75, -0.5

@@ -12,9 +12,9 @@ from situ_studio.canvas import gestures, layout
 from situ_studio.canvas.arranging import Arranging
 from situ_studio.canvas.figuring import Figuring
 from situ_studio.canvas.projection import identified
-from situ_studio.edit import Place
-from situ_studio.exchanged import exchanged
-from situ_studio.language import tr
+from situ_studio.edits.edit import Place
+from situ_studio.edits.exchanged import exchanged
+from situ_studio.wording.language import tr
 
 if TYPE_CHECKING:
     from situ_studio.canvas.application import ApplicationCanvas

@@ -8,9 +8,9 @@ from typing import Literal
 from msgspec import Struct
 
 from situ.document.problem import Problem
-from situ_studio import places
-from situ_studio.edit import Place
-from situ_studio.language import said
+from situ_studio.edits import places
+from situ_studio.edits.edit import Place
+from situ_studio.wording.language import said
 
 Sign = Literal["", "warning", "error"]
 

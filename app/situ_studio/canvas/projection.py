@@ -14,10 +14,10 @@ from situ.document.rbd import Application, Event, State, Timeout
 from situ_studio import kinds
 from situ_studio.canvas.picture import ALWAYS, TIMEOUT, Card, Exit, Kind, Link, Picture
 from situ_studio.canvas.problem_marks import NONE, Marks, changed, marks_of
-from situ_studio.edit import Place
-from situ_studio.exchanged import exchanged
-from situ_studio.language import say, tr
-from situ_studio.words import condition_words
+from situ_studio.edits.edit import Place
+from situ_studio.edits.exchanged import exchanged
+from situ_studio.edits.words import condition_words
+from situ_studio.wording.language import say, tr
 
 
 class _Made(NamedTuple):

@@ -30,11 +30,11 @@ from situ_studio.canvas.script_layout import Columns
 from situ_studio.canvas.script_nodes import ScriptItem
 from situ_studio.canvas.script_priorities import Priorities
 from situ_studio.canvas.script_projection import ScriptProjector
-from situ_studio.edit import Place
+from situ_studio.copying.script_clipboard import ScriptCopying
+from situ_studio.edits.edit import Place
 from situ_studio.kinds import Kind
-from situ_studio.language import tr
-from situ_studio.script_copying import ScriptCopying
-from situ_studio.theme import Theme
+from situ_studio.looks.theme import Theme
+from situ_studio.wording.language import tr
 
 
 class ScriptCanvas(ScriptCommands):

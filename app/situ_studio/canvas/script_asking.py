@@ -8,7 +8,6 @@ from typing import Any
 from PySide6.QtCore import QPointF, QRect
 
 from situ.document.datatypes import write_number
-from situ_studio import notes, places
 from situ_studio.canvas import script_conditions as conditions
 from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas import script_piping as piping
@@ -18,9 +17,10 @@ from situ_studio.canvas.overlay import InPlace, priority_editor
 from situ_studio.canvas.script_choosing import ScriptChoosing
 from situ_studio.canvas.script_faces import STRIP, ScriptNode
 from situ_studio.canvas.script_priorities import Priorities
-from situ_studio.edit import Place
+from situ_studio.edits import notes, places
+from situ_studio.edits.edit import Place
 from situ_studio.kinds import TYPES
-from situ_studio.language import translated
+from situ_studio.wording.language import translated
 
 
 class ScriptAsking(ScriptChoosing):

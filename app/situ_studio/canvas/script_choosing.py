@@ -9,12 +9,12 @@ from PySide6.QtCore import QPointF, QRectF
 
 from situ.document.condition import Group, Test
 from situ.document.spds import Spds
-from situ_studio import places
 from situ_studio.canvas.base import Canvas
 from situ_studio.canvas.curves import CurvedPipe
 from situ_studio.canvas.script_faces import LINE, STRIP, ScriptNode, ScriptPicture
 from situ_studio.canvas.script_laws import Laws
-from situ_studio.edit import Place
+from situ_studio.edits import places
+from situ_studio.edits.edit import Place
 
 _CONDITIONS = (("condition",), ("until",))
 

@@ -10,17 +10,17 @@ from PySide6.QtGui import QKeyEvent, Qt
 
 from situ.document.condition import Group, GroupName, Test
 from situ.document.project import Project
-from situ_studio import places
 from situ_studio.canvas import script_conditions as conditions
 from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas import script_piping as piping
 from situ_studio.canvas.gestures import Follow
 from situ_studio.canvas.script_asking import ScriptAsking
 from situ_studio.canvas.test_editor import TestEditor
-from situ_studio.edit import Place
+from situ_studio.edits import places
+from situ_studio.edits.edit import Place
+from situ_studio.edits.vocabulary import Vocabulary, known_data
 from situ_studio.kinds import GROUPS
-from situ_studio.language import translated
-from situ_studio.vocabulary import Vocabulary, known_data
+from situ_studio.wording.language import translated
 
 ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F2)
 

@@ -13,10 +13,10 @@ from msgspec.structs import replace
 
 from situ.document.condition import Condition, Group, GroupName, Test
 from situ.document.spds import Spds
-from situ_studio import places
 from situ_studio.canvas.script_rows import whole_group
-from situ_studio.edit import Place
-from situ_studio.language import tr
+from situ_studio.edits import places
+from situ_studio.edits.edit import Place
+from situ_studio.wording.language import tr
 
 Done = tuple[Spds, str]
 

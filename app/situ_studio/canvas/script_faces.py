@@ -7,8 +7,8 @@ from typing import Literal
 from msgspec import Struct
 
 from situ_studio.canvas.problem_marks import NONE, Mark, Sign
-from situ_studio.edit import Place
-from situ_studio.language import tr, translated
+from situ_studio.edits.edit import Place
+from situ_studio.wording.language import tr, translated
 
 Kind = Literal["data", "condition", "situation", "module", "resource"]
 Line = Literal["name", "extends", "times", "detail", ""]

@@ -10,10 +10,10 @@ from situ.document.check_script import DEFAULT
 from situ.document.condition import Condition
 from situ.document.datatypes import write_number
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
-from situ_studio import changes, places
 from situ_studio.canvas.script_conditions import test_of, tidy, without_tag
-from situ_studio.edit import Place
-from situ_studio.language import tr
+from situ_studio.edits import changes, places
+from situ_studio.edits.edit import Place
+from situ_studio.wording.language import tr
 
 Done = tuple[Spds, str]
 

@@ -10,7 +10,7 @@ from PySide6.QtGui import QPainterPath, QPen
 from PySide6.QtWidgets import QGraphicsPathItem
 
 from situ_studio.canvas.script_faces import LEFT, WIDTH, ScriptNode
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 if TYPE_CHECKING:
     from situ_studio.canvas.script import ScriptCanvas

@@ -13,7 +13,7 @@ from situ.document.finding import Findings
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.document.spds import Spds
-from situ_studio.language import said, tr
+from situ_studio.wording.language import said, tr
 
 _ELSEWHERE = ("undeclared-module", "contradiction", "no-situation")
 """What depends on other files of the project, and what every script begins with."""

@@ -6,9 +6,9 @@ from collections.abc import Iterable
 
 from situ.document.problem import Problem
 from situ.document.spds import Entry, Spds
-from situ_studio import places
 from situ_studio.canvas.problem_marks import NONE, Mark
-from situ_studio.edit import Place
+from situ_studio.edits import places
+from situ_studio.edits.edit import Place
 
 
 def marks_of(problems: Iterable[Problem], script: Spds) -> dict[Place, Mark]:

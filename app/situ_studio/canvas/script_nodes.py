@@ -14,7 +14,7 @@ from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.nodes import NodeFace
 from situ_studio.canvas.script_faces import INDENT, LINE, OUT, STRIP, ScriptNode
 from situ_studio.canvas.style import Label, Look
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 RADIUS = 8.0
 EAR = 13.0

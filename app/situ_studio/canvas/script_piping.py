@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from situ.document.spds import Spds
-from situ_studio import places
 from situ_studio.canvas import script_conditions as conditions
 from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas.gestures import Follow
 from situ_studio.canvas.script_faces import ScriptNode
 from situ_studio.canvas.script_projection import modules
-from situ_studio.edit import Place
-from situ_studio.language import tr
+from situ_studio.edits import places
+from situ_studio.edits.edit import Place
+from situ_studio.wording.language import tr
 
 Done = tuple[Spds, str, Place]
 

@@ -35,9 +35,9 @@ from situ_studio.canvas.script_faces import (
 from situ_studio.canvas.script_layout import Columns, Tier, tiers
 from situ_studio.canvas.script_marks import marks_of
 from situ_studio.canvas.script_rows import Shapes
-from situ_studio.edit import Place
-from situ_studio.language import say, tr, translated
-from situ_studio.notes import note_of
+from situ_studio.edits.edit import Place
+from situ_studio.edits.notes import note_of
+from situ_studio.wording.language import say, tr, translated
 
 
 def picture(script: Spds, problems: Sequence[Problem] = ()) -> ScriptPicture:

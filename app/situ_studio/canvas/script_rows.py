@@ -10,7 +10,7 @@ from situ.document import words
 from situ.document.condition import Condition, Group, Test
 from situ_studio.canvas.script_faces import Row
 from situ_studio.kinds import GROUPS
-from situ_studio.language import say, translated
+from situ_studio.wording.language import say, translated
 
 _NAMES = dict(GROUPS)
 

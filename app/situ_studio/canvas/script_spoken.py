@@ -9,11 +9,11 @@ from collections.abc import Iterator
 from functools import partial
 
 from situ.document.spds import Situation, Spds
-from situ_studio import words
 from situ_studio.canvas.script_faces import LINE, STRIP, ScriptLink, ScriptNode, ScriptPicture
 from situ_studio.canvas.script_projection import inherited, keyed
 from situ_studio.canvas.spoken import Spoken
-from situ_studio.language import tr
+from situ_studio.edits import words
+from situ_studio.wording.language import tr
 
 
 def node(script: Spds, picture: ScriptPicture, face: ScriptNode) -> Spoken:

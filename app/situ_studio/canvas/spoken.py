@@ -14,10 +14,11 @@ from msgspec.structs import replace
 
 from situ.document import rbd, words
 from situ.document.rbd import Application
-from situ_studio import kinds, places
+from situ_studio import kinds
 from situ_studio.canvas.picture import LINE, PITCH, TIMEOUT, WIDTH, Card, Exit
-from situ_studio.edit import Place
-from situ_studio.language import tr
+from situ_studio.edits import places
+from situ_studio.edits.edit import Place
+from situ_studio.wording.language import tr
 
 Role = Literal["node", "action", "transition"]
 Area = tuple[float, float, float, float]

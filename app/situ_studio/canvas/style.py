@@ -11,10 +11,10 @@ from typing import Literal
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QStaticText, Qt
 
-from situ_studio import icons
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.canvas.pictures import Pictures
-from situ_studio.theme import Theme, face
+from situ_studio.looks import icons
+from situ_studio.looks.theme import Theme, face
 
 Level = Literal["full", "half", "quarter", "tiny"]
 

@@ -9,11 +9,11 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QApplication, QFrame, QVBoxLayout, QWidget
 
 from situ.document.condition import Test
-from situ_studio.edit import Place
-from situ_studio.letters import px
+from situ_studio.edits.edit import Place
+from situ_studio.edits.vocabulary import Vocabulary
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.test_box import TestBox
-from situ_studio.theme import Theme
-from situ_studio.vocabulary import Vocabulary
 
 WIDE = 244
 

@@ -7,7 +7,7 @@ from typing import Any
 from situ.document import rbd
 from situ_studio.kinds.kind import Field, Kind, Section
 from situ_studio.kinds.noted import MORE
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 
 def _params(value: Any) -> str:

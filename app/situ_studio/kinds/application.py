@@ -5,7 +5,7 @@ from __future__ import annotations
 from situ.document import drawing, rbd
 from situ_studio.kinds.kind import Field, Kind, Section
 from situ_studio.kinds.noted import MORE, NOTED
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 _TIMEOUT = Field(
     attribute="timeout",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from msgspec import Struct
 
 if TYPE_CHECKING:
-    from situ_studio.theme import Kind as Tint
+    from situ_studio.looks.theme import Kind as Tint
 
 Editor = Literal[
     "text",  # one line

@@ -1,4 +1,4 @@
-"""What is to be remembered about a thing: a field that most kinds have (``situ_studio.notes``)."""
+"""What is to be remembered about a thing, a field of most kinds (``situ_studio.edits.notes``)."""
 
 from __future__ import annotations
 

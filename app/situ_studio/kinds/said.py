@@ -5,7 +5,7 @@ Whole conditions in words: ``situ.document.words``.
 
 from __future__ import annotations
 
-from situ_studio.language import translated
+from situ_studio.wording.language import translated
 
 TESTS: tuple[tuple[str, str], ...] = (
     ("is", "is"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from situ.document import rbd
-from situ_studio.button_names import event_of
+from situ_studio.kinds.button_names import event_of
 from situ_studio.kinds.kind import Field, Kind, Section
 
 _ID = Field(

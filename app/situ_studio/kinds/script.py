@@ -7,7 +7,7 @@ from situ.document.condition import Test
 from situ_studio.kinds.kind import Field, Kind, Section
 from situ_studio.kinds.noted import MORE
 from situ_studio.kinds.said import TESTS, TYPES, type_words
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 SITUATION = Kind(
     name="situation",

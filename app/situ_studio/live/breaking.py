@@ -10,9 +10,9 @@ import msgspec
 from PySide6.QtCore import QSettings
 
 from situ.document.project import Project
-from situ_studio import places
-from situ_studio.context_menus import context_of
-from situ_studio.edit import Document, Place
+from situ_studio.commands.context_menus import context_of
+from situ_studio.edits import places
+from situ_studio.edits.edit import Document, Place
 from situ_studio.live.views import runs_of
 
 Point = dict[str, Any]

@@ -11,13 +11,13 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLay
 
 from situ.document import when_text, words
 from situ.document.condition import Condition
-from situ_studio.icon_widgets import ThemedButton, retheme
-from situ_studio.language import say, tr
+from situ_studio.edits.vocabulary import Vocabulary
 from situ_studio.live.breaking import Point, point_of
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.conditions import AddTest, ConditionEditor
 from situ_studio.panels.table import Row, RowsTable
-from situ_studio.theme import Theme
-from situ_studio.vocabulary import Vocabulary
+from situ_studio.widgets.icon_widgets import ThemedButton, retheme
+from situ_studio.wording.language import say, tr
 
 EARLIER = "earlier "
 """What the keys of rows begin with that are not set on this robot."""

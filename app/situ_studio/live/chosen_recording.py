@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from situ_studio.language import said
 from situ_studio.live.recordings import ReadingRecording
-from situ_studio.working import OneWork
+from situ_studio.processes.working import OneWork
+from situ_studio.wording.language import said
 
 if TYPE_CHECKING:
-    from situ_studio.window import MainWindow
+    from situ_studio.window.main_window import MainWindow
 
 
 class ChosenRecording(QObject):

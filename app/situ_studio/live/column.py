@@ -11,10 +11,6 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QSizePolicy, QVBoxLayout, QWidget
 
 from situ.document.spds import Spds
-from situ_studio.icon_widgets import IconButton, retheme
-from situ_studio.language import tr
-from situ_studio.layouts import rule
-from situ_studio.letters import px
 from situ_studio.live.column_list import ColumnList
 from situ_studio.live.column_rows import Telling
 from situ_studio.live.column_situation import SituationCard
@@ -22,9 +18,13 @@ from situ_studio.live.column_words import Words
 from situ_studio.live.lanes import Lanes
 from situ_studio.live.moment import Moment
 from situ_studio.live.timeline.rows import RowKind
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import CAPTION, Theme
 from situ_studio.panels.blackboard import ago
 from situ_studio.panels.header import PanelHeader
-from situ_studio.theme import CAPTION, Theme
+from situ_studio.widgets.icon_widgets import IconButton, retheme
+from situ_studio.widgets.layouts import rule
+from situ_studio.wording.language import tr
 
 FRAME = 50
 """Milliseconds between two drawings at least: nobody reads numbers faster, and the graph beside it

@@ -38,14 +38,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ_studio import icons
-from situ_studio.focus_ring import paint_chosen
-from situ_studio.icon_widgets import IconButton
-from situ_studio.language import tr
-from situ_studio.letters import enlarged, px
 from situ_studio.live.column_rows import ColumnRow
 from situ_studio.live.column_words import Lettering
-from situ_studio.theme import CAPTION, LABEL, Theme
+from situ_studio.looks import icons
+from situ_studio.looks.letters import enlarged, px
+from situ_studio.looks.theme import CAPTION, LABEL, Theme
+from situ_studio.widgets.focus_ring import paint_chosen
+from situ_studio.widgets.icon_widgets import IconButton
+from situ_studio.wording.language import tr
 
 AnyIndex = QModelIndex | QPersistentModelIndex
 

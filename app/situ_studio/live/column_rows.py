@@ -14,15 +14,15 @@ from situ.document.condition import Group, Test
 from situ.document.spds import Situation, Spds
 from situ.document.values import reach
 from situ.rehearse.telling import kept_by_runtime
-from situ_studio import words as studio_words
-from situ_studio.language import say, tr
+from situ_studio.edits import words as studio_words
 from situ_studio.live.column_judging import Judging
 from situ_studio.live.lanes import Lanes
 from situ_studio.live.moment import BREAKPOINTS, PAUSED, Entry, Moment
 from situ_studio.live.timeline.rows import RowKind
 from situ_studio.live.why_places import tags_in
 from situ_studio.panels.blackboard import FRESH, ago
-from situ_studio.value_words import value_lines, with_unit
+from situ_studio.wording.language import say, tr
+from situ_studio.wording.value_words import value_lines, with_unit
 
 TESTS = 4
 """Parts of a condition that are told one by one."""

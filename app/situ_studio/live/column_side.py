@@ -9,13 +9,13 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from situ.document.project import Project
 from situ.document.spds import Spds
 from situ.rehearse.ways import frames
-from situ_studio.edit import Place
+from situ_studio.edits.edit import Place
 from situ_studio.live.column import MomentColumn
 from situ_studio.live.moment import Moment
-from situ_studio.theme import Theme
+from situ_studio.looks.theme import Theme
 
 if TYPE_CHECKING:
-    from situ_studio.window import MainWindow
+    from situ_studio.window.main_window import MainWindow
 
 DOCK = "moment"
 OPEN = "moment_open"

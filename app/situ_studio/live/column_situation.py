@@ -15,13 +15,13 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
 
-from situ_studio.heard_as import hear_as
-from situ_studio.icon_widgets import IconButton, IconLabel, retheme
-from situ_studio.language import tr
-from situ_studio.letters import px
+from situ_studio.assistive.heard_as import hear_as
 from situ_studio.live.column_rows import TESTS, PartTold, SituationTold
 from situ_studio.live.column_words import Words
-from situ_studio.theme import CAPTION, LABEL, SECTION, Theme
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import CAPTION, LABEL, SECTION, Theme
+from situ_studio.widgets.icon_widgets import IconButton, IconLabel, retheme
+from situ_studio.wording.language import tr
 
 _SIGNS = {True: ("check", "live"), False: ("close", "text3"), None: ("minus", "text3")}
 

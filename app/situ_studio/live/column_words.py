@@ -8,8 +8,8 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QStaticText
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from situ_studio.letters import px
-from situ_studio.theme import Theme, face, font
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme, face, font
 
 
 class Words(QWidget):

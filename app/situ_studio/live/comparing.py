@@ -22,7 +22,7 @@ from situ_studio.live.moment import TraceFields
 from situ_studio.live.recordings import Recording
 from situ_studio.live.timeline.bookmarks import Bookmark
 from situ_studio.live.viewing import Viewing
-from situ_studio.worker import Worker, module
+from situ_studio.processes.worker import Worker, module
 
 SLICE = 0.012
 """Seconds of looking at a time."""

@@ -9,8 +9,8 @@ from __future__ import annotations
 from situ.document.project import Project
 from situ.rehearse.comparing import Alike, alike
 from situ.rehearse.deeds import Deeds
-from situ_studio.answering import answer
 from situ_studio.live.comparing_projects import project_in
+from situ_studio.processes.answering import answer
 
 
 def answered(asked: tuple[Deeds, Deeds] | dict[str, str]) -> Alike | Project | None:

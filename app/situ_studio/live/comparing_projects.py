@@ -12,7 +12,7 @@ from situ.document.project import Project
 from situ.rehearse.recorded import Document, Heading, loaded
 from situ_studio.live.log import TraceLog
 from situ_studio.live.recordings import Recording
-from situ_studio.worker import Worker, module
+from situ_studio.processes.worker import Worker, module
 
 COMMAND = module("situ_studio.live.comparing_process")
 PROJECT = "situ.toml"

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QMenu
 
 from situ.errors import UsageError
-from situ_studio.letters import px
+from situ_studio.edits.words import running_state
 from situ_studio.live.chosen_recording import ChosenRecording
 from situ_studio.live.comparing import Compared, Comparing
 from situ_studio.live.comparing_projects import RecordedProjects
@@ -20,12 +20,12 @@ from situ_studio.live.log import TraceLog
 from situ_studio.live.recordings import Recording
 from situ_studio.live.timeline.beside import LETTERS, Marked, RunBeside
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks, beside
-from situ_studio.theme import Theme
-from situ_studio.words import running_state
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 
 if TYPE_CHECKING:
-    from situ_studio.robot import RobotSide
-    from situ_studio.window import MainWindow
+    from situ_studio.live.robot import RobotSide
+    from situ_studio.window.main_window import MainWindow
 
 PANEL = "timeline"
 ROOM = 420

@@ -7,14 +7,14 @@ from collections.abc import Callable
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QPushButton, QVBoxLayout, QWidget
 
-from situ_studio.announcing import announce
-from situ_studio.icon_widgets import Elided, IconButton, retheme
-from situ_studio.language import said, tr
-from situ_studio.letters import px
+from situ_studio.assistive.announcing import announce
 from situ_studio.live.comparing import AGREED, COMMON, START, Comparing, Way
 from situ_studio.live.timeline.beside import LETTERS
 from situ_studio.live.timeline.panel import opens
-from situ_studio.theme import Theme
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
+from situ_studio.widgets.icon_widgets import Elided, IconButton, retheme
+from situ_studio.wording.language import said, tr
 
 
 class ComparingStrip(QWidget):

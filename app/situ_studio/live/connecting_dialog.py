@@ -20,12 +20,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ_studio import icons
-from situ_studio.dialog_buttons import add_buttons
-from situ_studio.language import tr
-from situ_studio.letters import px
 from situ_studio.live.nearby import Found, NearbyRobots
-from situ_studio.theme import Theme
+from situ_studio.looks import icons
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
+from situ_studio.widgets.dialog_buttons import add_buttons
+from situ_studio.wording.language import tr
 
 NAME, ADDRESS, STANDING = range(3)
 

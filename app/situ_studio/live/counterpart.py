@@ -6,8 +6,8 @@ from typing import Any
 
 from situ.document.condition import Condition, Group
 from situ.document.rbd import Action
-from situ_studio import places
-from situ_studio.edit import Document, Place
+from situ_studio.edits import places
+from situ_studio.edits.edit import Document, Place
 
 BY_POSITION = frozenset(
     {"event", "action", "entry", "say", "param", "result", "requires", "provides"}

@@ -21,13 +21,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ_studio.language import said
-from situ_studio.letters import px
 from situ_studio.live import deploying_words
 from situ_studio.live.deploying import Deploying
 from situ_studio.live.deploying_plan import Plan
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Flag
-from situ_studio.theme import Theme
+from situ_studio.wording.language import said
 
 if TYPE_CHECKING:
     from situ.blackboard.replies import Turn

@@ -14,7 +14,7 @@ from situ.document.folder import PROJECT_FILE
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.errors import UsageError
-from situ_studio.language import said, tr
+from situ_studio.wording.language import said, tr
 
 _TEXTS = (".xml", ".toml", ".po")
 

@@ -9,14 +9,14 @@ from PySide6.QtCore import QObject
 
 from situ.document import beside
 from situ.errors import UsageError
-from situ_studio.edit import write
+from situ_studio.edits.edit import write
 from situ_studio.live import deploying_theirs, deploying_words
 from situ_studio.live.deploying import Deploying
 from situ_studio.live.deploying_dialog import DeployDialog
 from situ_studio.live.deploying_plan import Plan, plan
 
 if TYPE_CHECKING:
-    from situ_studio.window import MainWindow
+    from situ_studio.window.main_window import MainWindow
 
 
 class DeployingSide(QObject):

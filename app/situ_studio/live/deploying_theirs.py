@@ -7,7 +7,7 @@ from pathlib import Path
 
 from situ.document import folder
 from situ.errors import UsageError
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 
 def keep(theirs: Mapping[str, str], media: Mapping[str, bytes], target: Path) -> None:

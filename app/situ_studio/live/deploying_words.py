@@ -5,8 +5,8 @@ from __future__ import annotations
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from situ_studio.language import said, tr
 from situ_studio.live.deploying import Deploying
+from situ_studio.wording.language import said, tr
 
 if TYPE_CHECKING:
     from situ.blackboard.replies import Deployment, Turn

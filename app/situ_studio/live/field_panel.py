@@ -9,13 +9,13 @@ from PySide6.QtWidgets import QAbstractButton, QHBoxLayout, QLabel, QVBoxLayout,
 from situ.document import names, words
 from situ.rehearse.usage import PLACE
 from situ.rehearse.usage import Row as Used
-from situ_studio.icon_widgets import Elided, ThemedButton, retheme
-from situ_studio.language import tr
-from situ_studio.letters import px
 from situ_studio.live.field_rows import NUMBERS, by_column, cells, rows, tips, titles
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Flag, Line
 from situ_studio.panels.table import RowsTable
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import Elided, ThemedButton, retheme
+from situ_studio.wording.language import tr
 
 WIDTHS = (180, 64, 52, 52, 88, 68, 78, 96)
 

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from situ_studio.answering import answer
 from situ_studio.live.field import Asked, Field, counted
+from situ_studio.processes.answering import answer
 
 
 class Counting:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import QObject, Signal
 
 from situ_studio.live.field import Asked, Field
-from situ_studio.worker import Worker, module
+from situ_studio.processes.worker import Worker, module
 
 COMMAND = module("situ_studio.live.field_process")
 

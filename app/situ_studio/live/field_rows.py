@@ -6,10 +6,10 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from situ.rehearse.usage import Row as Used
-from situ_studio.language import tr
-from situ_studio.lasting import lasting
+from situ_studio.edits.words import state_called
 from situ_studio.panels.table import Row
-from situ_studio.words import state_called
+from situ_studio.wording.language import tr
+from situ_studio.wording.lasting import lasting
 
 _VALUES: tuple[Callable[[Used], Any], ...] = (
     lambda one: (one.application, _numbers(one.state)),

@@ -12,16 +12,16 @@ from situ.document import folder
 from situ.errors import UsageError
 from situ.rehearse.usage import PLACE, write_csv
 from situ.rehearse.ways import frames
-from situ_studio.language import said, tr
-from situ_studio.lasting import lasting
 from situ_studio.live.field import Asked, Field, painted, whole
 from situ_studio.live.field_panel import FieldPanel
 from situ_studio.live.field_reading import FieldReading
-from situ_studio.theme import Theme
-from situ_studio.working import OneWork
+from situ_studio.looks.theme import Theme
+from situ_studio.processes.working import OneWork
+from situ_studio.wording.language import said, tr
+from situ_studio.wording.lasting import lasting
 
 if TYPE_CHECKING:
-    from situ_studio.window import MainWindow
+    from situ_studio.window.main_window import MainWindow
 
 PANEL = "field"
 USUAL = "usage.csv"

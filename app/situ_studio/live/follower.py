@@ -17,7 +17,7 @@ from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio.canvas.live import LiveScript, LiveView
-from situ_studio.edit import Document
+from situ_studio.edits.edit import Document
 from situ_studio.live.link import RobotLink
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import ApplicationMoment, Moment, TraceFields

@@ -8,11 +8,11 @@ from weakref import WeakKeyDictionary
 from PySide6.QtWidgets import QApplication
 
 from situ_studio.canvas.live import LiveScript, LiveView
-from situ_studio.edit import Place
+from situ_studio.edits.edit import Place
 
 if TYPE_CHECKING:
-    from situ_studio.document_view import DocumentView
-    from situ_studio.window import MainWindow
+    from situ_studio.views.document_view import DocumentView
+    from situ_studio.window.main_window import MainWindow
 
 KEPT = "follow_robot"
 """Where the settings keep whether it is wanted."""

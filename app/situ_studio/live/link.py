@@ -18,12 +18,12 @@ from shiboken6 import isValid
 from situ.decide.clock import CLOCK
 from situ.errors import BlackboardError, Unreachable
 from situ.rehearse.clock import Hidden
-from situ_studio.language import tr
 from situ_studio.live.clock_seen import is_clock
 from situ_studio.live.delay import Delays
 from situ_studio.live.link_state import LinkState
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
+from situ_studio.wording.language import tr
 
 if TYPE_CHECKING:
     from situ.blackboard.client import Call, Dialog

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from msgspec import Struct
 
-from situ_studio.language import tr
-from situ_studio.lasting import lasting
+from situ_studio.wording.language import tr
+from situ_studio.wording.lasting import lasting
 
 QUIET = 4.0
 """Seconds after which it is said that nobody answers, should the address be wrong."""

@@ -9,14 +9,14 @@ from PySide6.QtCore import QObject, QPoint, Qt, QTimer
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from situ import __version__
-from situ_studio.language import tr
-from situ_studio.layouts import clear
-from situ_studio.letters import px
 from situ_studio.live.moment import TraceFields
+from situ_studio.looks.letters import px
+from situ_studio.widgets.layouts import clear
+from situ_studio.wording.language import tr
 
 if TYPE_CHECKING:
     from situ.blackboard.replies import Turns
-    from situ_studio.window import MainWindow
+    from situ_studio.window.main_window import MainWindow
 
 OVER = 2.0
 """Seconds over which events are counted."""

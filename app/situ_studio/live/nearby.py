@@ -8,8 +8,8 @@ import msgspec
 from msgspec import Struct
 from PySide6.QtCore import QObject, QProcess, Signal
 
-from situ_studio.language import tr
-from situ_studio.worker import module
+from situ_studio.processes.worker import module
+from situ_studio.wording.language import tr
 
 
 class Found(Struct, frozen=True):

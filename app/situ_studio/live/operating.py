@@ -15,24 +15,24 @@ from situ.document.condition import Condition
 from situ.document.rbd import Application
 from situ.rehearse.telling import kept_by_runtime
 from situ.rehearse.ways import frames
-from situ_studio import places
-from situ_studio.context_menus import context_of
-from situ_studio.edit import Place
-from situ_studio.icon_widgets import Elided
-from situ_studio.language import said
+from situ_studio.commands.context_menus import context_of
+from situ_studio.commands.reasons import reasons
+from situ_studio.edits import places
+from situ_studio.edits.edit import Place
+from situ_studio.edits.vocabulary import Vocabulary
 from situ_studio.live.breaking import KeptBreakpoints, Point, everywhere, point_of, points_at
 from situ_studio.live.breakpoints import Breakpoints
 from situ_studio.live.link import not_asked
 from situ_studio.live.moment import ApplicationMoment
 from situ_studio.live.raising_dialog import offers
 from situ_studio.live.views import runs_of
-from situ_studio.reasons import reasons
-from situ_studio.theme import Theme
-from situ_studio.vocabulary import Vocabulary
+from situ_studio.looks.theme import Theme
+from situ_studio.widgets.icon_widgets import Elided
+from situ_studio.wording.language import said
 
 if TYPE_CHECKING:
     from situ.blackboard.protocol import DebugVerb
-    from situ_studio.window import MainWindow
+    from situ_studio.window.main_window import MainWindow
 
 
 class OperatingSide(QObject):

@@ -18,10 +18,10 @@ from PySide6.QtWidgets import (
 
 from situ.decide.expected import Expectation
 from situ.document import words
-from situ_studio.dialog_buttons import add_buttons
-from situ_studio.language import said, tr
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
 from situ_studio.panels.fields import Line
+from situ_studio.widgets.dialog_buttons import add_buttons
+from situ_studio.wording.language import said, tr
 
 NAME = Qt.ItemDataRole.UserRole
 

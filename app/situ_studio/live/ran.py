@@ -16,7 +16,7 @@ from situ.document.project import Project
 
 if TYPE_CHECKING:
     from situ_studio.rehearsing.course import Course
-    from situ_studio.window import MainWindow
+    from situ_studio.window.main_window import MainWindow
 
 KEPT = 8
 """Versions that are kept read."""

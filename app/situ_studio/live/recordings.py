@@ -18,8 +18,8 @@ from situ.document.project import Project
 from situ.errors import UsageError
 from situ.rehearse import recorded
 from situ.rehearse.clock import Given
-from situ_studio.language import tr
 from situ_studio.live.log import TraceLog
+from situ_studio.wording.language import tr
 
 SLICE = 0.012
 """Seconds of reading at a time."""

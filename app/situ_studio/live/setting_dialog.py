@@ -17,12 +17,12 @@ from PySide6.QtWidgets import (
 from situ.decide.values import in_text
 from situ.document.spds import DataType
 from situ.document.values import is_number, read
-from situ_studio.dialog_buttons import add_buttons
-from situ_studio.language import tr
-from situ_studio.letters import px
-from situ_studio.named_box import NamedBox
+from situ_studio.edits.vocabulary import Vocabulary
+from situ_studio.looks.letters import px
 from situ_studio.panels.fields import Line
-from situ_studio.vocabulary import Vocabulary
+from situ_studio.widgets.dialog_buttons import add_buttons
+from situ_studio.widgets.named_box import NamedBox
+from situ_studio.wording.language import tr
 
 BOOLEANS = (True, False, None)
 

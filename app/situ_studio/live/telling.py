@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject
 
-from situ_studio.language import tr
 from situ_studio.live.follower import Follower
 from situ_studio.live.moment import Moment
+from situ_studio.wording.language import tr
 
 
 class SituationTelling(QObject):

@@ -16,20 +16,21 @@ from PySide6.QtWidgets import QMenu
 
 from situ.document.project import Project
 from situ.rehearse.ways import frames, way_words, ways
-from situ_studio import icons, places
-from situ_studio.context_menus import pop_up
-from situ_studio.edit import Place
+from situ_studio.commands.context_menus import pop_up
+from situ_studio.edits import places
+from situ_studio.edits.edit import Place
 from situ_studio.live.lanes import Lane
 from situ_studio.live.moment import Moment
 from situ_studio.live.timeline.rows import RowKind, TimelineRow
 from situ_studio.live.why import Thing, ThingKind
 from situ_studio.live.why_not import Wanted, wanted_at, way_wanted
 from situ_studio.live.why_places import tags_in, thing_at, where
+from situ_studio.looks import icons
 from situ_studio.panels.table import RowsTable
 
 if TYPE_CHECKING:
     from situ_studio.live.why_side import WhySide
-    from situ_studio.window import MainWindow
+    from situ_studio.window.main_window import MainWindow
 
 MANY = 8
 """Of more questions why not, the rest is in a menu of its own."""

@@ -20,8 +20,8 @@ from situ.rehearse.recording import Recording
 from situ.rehearse.telling import kept_by_runtime
 from situ.rehearse.ways import Way, frames, ways
 from situ.rehearse.why import why_not
-from situ_studio import places
-from situ_studio.edit import Document, Place
+from situ_studio.edits import places
+from situ_studio.edits.edit import Document, Place
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import Moment, TraceFields
 

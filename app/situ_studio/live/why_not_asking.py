@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import QObject, Signal
 
 from situ_studio.live.why_not import Question, answered
-from situ_studio.worker import Worker, module
+from situ_studio.processes.worker import Worker, module
 
 AT_ONCE = 400
 """Events of which an answer takes less than a person notices."""

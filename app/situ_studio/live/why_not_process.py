@@ -5,8 +5,8 @@ Started as ``python -m situ_studio.live.why_not_process`` by ``AskingWhyNot``.
 
 from __future__ import annotations
 
-from situ_studio.answering import answer
 from situ_studio.live.why_not import answered
+from situ_studio.processes.answering import answer
 
 
 def main() -> None:

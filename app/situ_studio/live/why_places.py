@@ -12,8 +12,8 @@ from situ.document.condition import Condition, Group, Test
 from situ.document.project import Project
 from situ.document.rbd import Event
 from situ.rehearse.ways import Way, file_of, frames, ways
-from situ_studio import places
-from situ_studio.edit import Document, Place
+from situ_studio.edits import places
+from situ_studio.edits.edit import Document, Place
 from situ_studio.live.moment import Moment, TraceFields
 from situ_studio.live.why import Thing
 

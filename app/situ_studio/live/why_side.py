@@ -16,9 +16,9 @@ from situ.document.project import Project
 from situ.rehearse.reason import Answer, Reason
 from situ.rehearse.scenario import WRITER
 from situ.rehearse.telling import Teller
-from situ_studio import places, project_documents
-from situ_studio.edit import Document, Place
-from situ_studio.language import said
+from situ_studio.edits import places
+from situ_studio.edits.edit import Document, Place
+from situ_studio.edits.words import state_alone
 from situ_studio.live.by_clock import by_clock
 from situ_studio.live.counterpart import counterpart
 from situ_studio.live.moment import TraceFields
@@ -28,14 +28,15 @@ from situ_studio.live.why_menus import WhyMenus
 from situ_studio.live.why_not import Question, Wanted, events_until, wanted_at
 from situ_studio.live.why_not_asking import AskingWhyNot
 from situ_studio.live.why_places import meant_by, priorities, tags_of, where
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.blackboard import ago
 from situ_studio.panels.why import Link, Why
-from situ_studio.theme import Theme
-from situ_studio.words import state_alone
+from situ_studio.project import project_documents
+from situ_studio.wording.language import said
 
 if TYPE_CHECKING:
-    from situ_studio.document_view import DocumentView
-    from situ_studio.window import MainWindow
+    from situ_studio.views.document_view import DocumentView
+    from situ_studio.window.main_window import MainWindow
 
 PANEL = "why"
 INDENT = "    "
@@ -66,7 +67,7 @@ class WhySide(QObject):
         self._asking = AskingWhyNot(self)
         self._asking.answered.connect(self._answer_not)
         self._asking.gone.connect(self._on_gone)
-        self.menus = WhyMenus(window, self)
+        self.menus: WhyMenus = WhyMenus(window, self)
         window.robot.link.state_changed.connect(self.settle)
         self._viewing.exchanged.connect(self._on_exchanged)
         self._robot.trace.teller = self._teller_of

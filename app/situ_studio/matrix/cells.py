@@ -13,12 +13,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ_studio import icons
-from situ_studio.announcing import announce
-from situ_studio.letters import px
+from situ_studio.assistive.announcing import announce
+from situ_studio.looks import icons
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import BODY, CAPTION, LABEL, Theme, font
 from situ_studio.matrix.edits import read
 from situ_studio.matrix.model import AnyIndex, MatrixModel
-from situ_studio.theme import BODY, CAPTION, LABEL, Theme, font
 
 MARK = 14
 """Px of the icon beside a number."""

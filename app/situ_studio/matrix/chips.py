@@ -14,9 +14,9 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAbstractButton, QScrollArea, QWidget
 
-from situ_studio import icons
-from situ_studio.letters import px
-from situ_studio.theme import LABEL, Theme, font
+from situ_studio.looks import icons
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import LABEL, Theme, font
 
 HIGH = 26
 GAP = 6

@@ -8,8 +8,8 @@ from typing import Literal
 from msgspec.structs import replace
 
 from situ.document.spds import Entry, Situation, Spds
-from situ_studio.language import tr
 from situ_studio.matrix.grid import Grid
+from situ_studio.wording.language import tr
 
 Wanted = int | Literal["none"] | None
 """What a cell shall say: a priority, that what is taken over is taken away, or nothing itself."""

@@ -10,11 +10,11 @@ from PySide6.QtCore import QPoint, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHeaderView, QWidget
 
-from situ_studio import icons
 from situ_studio.canvas.overlay import InPlace
-from situ_studio.letters import factor, px
+from situ_studio.looks import icons
+from situ_studio.looks.letters import factor, px
+from situ_studio.looks.theme import BODY, CAPTION, LABEL, Theme, font
 from situ_studio.matrix.model import SHOWN, Head
-from situ_studio.theme import BODY, CAPTION, LABEL, Theme, font
 
 HIGH = 28
 NAME, SIGN = 59, 15

@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QWidget
 
 from situ.decide.all_ask import Holding
 from situ.document.problem import Problem
-from situ_studio.language import said
 from situ_studio.matrix.grid import Cell, Grid, Line
 from situ_studio.matrix.marks import Marks
+from situ_studio.wording.language import said
 
 AnyIndex = QModelIndex | QPersistentModelIndex
 SHOWN = Qt.ItemDataRole.UserRole

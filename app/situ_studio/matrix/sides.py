@@ -10,10 +10,10 @@ from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.matrix.model import MatrixModel
 from situ_studio.matrix.table import MatrixTable
-from situ_studio.theme import Theme
 
 BAR = 6
 SCROLL = 10

@@ -24,11 +24,11 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAbstractItemView, QTableView, QWidget
 
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.matrix.cells import Cells, Sentence, outline
 from situ_studio.matrix.headers import ModuleHeader, SituationHeader
 from situ_studio.matrix.model import AnyIndex, MatrixModel
-from situ_studio.theme import Theme
 
 ROW = 28
 HANDLE = 4

@@ -14,30 +14,30 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QHeaderView, QLabel, QVBoxLay
 from situ.document.problem import Problem
 from situ.document.spds import Spds
 from situ.rehearse.what_if import Answer
-from situ_studio import changes, words
 from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas.live import LiveScript
-from situ_studio.edit import Place
-from situ_studio.icon_widgets import Elided, ThemedButton, retheme
-from situ_studio.layouts import rule
-from situ_studio.letters import px
+from situ_studio.edits import changes, words
+from situ_studio.edits.edit import Place
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.matrix.grid import Grid, asking
 from situ_studio.matrix.model import MatrixModel
 from situ_studio.matrix.range_edits import RangeEdits
 from situ_studio.matrix.sides import Sides
 from situ_studio.matrix.table import Area
 from situ_studio.matrix.what_if import WhatIf
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import Elided, ThemedButton, retheme
+from situ_studio.widgets.layouts import rule
 
 if TYPE_CHECKING:
-    from situ_studio.views import Setting
+    from situ_studio.views.table import Setting
 
 LOW = 250
 """Px of height below which what follows from *what if* has one line."""
 
 
 class MatrixView(QWidget):
-    """A piece of the views of a script (``situ_studio.views``): cells become ``edited``.
+    """A piece of the views of a script (``situ_studio.views.table``): cells become ``edited``.
 
     What is selected in the document are the situations of the selected range, or the modules of
     selected columns.

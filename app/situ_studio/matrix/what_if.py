@@ -26,15 +26,15 @@ from PySide6.QtWidgets import (
 from situ.decide.all_ask import Holding
 from situ.document.spds import Spds
 from situ.rehearse.what_if import Answer, Judged, answer, judge
-from situ_studio.icon_widgets import Elided, IconButton, IconLabel, retheme
-from situ_studio.language import tr
-from situ_studio.layouts import rule
-from situ_studio.letters import px
+from situ_studio.edits.words import listed
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.matrix.chips import Chip, Rows
 from situ_studio.matrix.grid import Asking
 from situ_studio.matrix.presets import presets, short, typed
-from situ_studio.theme import Theme
-from situ_studio.words import listed
+from situ_studio.widgets.icon_widgets import Elided, IconButton, IconLabel, retheme
+from situ_studio.widgets.layouts import rule
+from situ_studio.wording.language import tr
 
 LINES = 2
 """So many lines of values, and of modules, are seen at most."""

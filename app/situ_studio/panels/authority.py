@@ -7,12 +7,12 @@ from typing import Any
 from PySide6.QtWidgets import QWidget
 
 from situ.decide.values import in_text
-from situ_studio.language import tr
 from situ_studio.live.moment import Moment
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.blackboard import ago
 from situ_studio.panels.table import Row, RowsTable
-from situ_studio.theme import Theme
-from situ_studio.value_words import value_words
+from situ_studio.wording.language import tr
+from situ_studio.wording.value_words import value_words
 
 
 class Authority(RowsTable):

@@ -11,16 +11,16 @@ from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from situ.document import rbd
 from situ.document.problem import Problem
-from situ_studio import words
-from situ_studio.edit import Place
-from situ_studio.heard_as import hear_as
-from situ_studio.layouts import clear
-from situ_studio.letters import px
+from situ_studio.assistive.heard_as import hear_as
+from situ_studio.edits import words
+from situ_studio.edits.edit import Place
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import LIGHT, Theme
 from situ_studio.screens import guides, marks
 from situ_studio.screens.sheet import Sheet
 from situ_studio.screens.snapping import Snap
 from situ_studio.screens.state_screen import StateScreen
-from situ_studio.theme import LIGHT, Theme
+from situ_studio.widgets.layouts import clear
 
 
 class ScreenBeside(QScrollArea):

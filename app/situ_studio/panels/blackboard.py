@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from PySide6.QtWidgets import QWidget
 
 from situ.document import names
-from situ_studio.language import tr
 from situ_studio.live.moment import Entry, Moment
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.table import Row, RowsTable
-from situ_studio.theme import Theme
-from situ_studio.value_words import value_lines, value_words
+from situ_studio.wording.language import tr
+from situ_studio.wording.value_words import value_lines, value_words
 
 HIDDEN = "•••"
 FRESH = 2.0

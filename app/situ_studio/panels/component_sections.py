@@ -11,17 +11,17 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from situ.document import rbd
-from situ_studio import places, words
-from situ_studio.icon_widgets import Elided, IconButton, IconLabel, ThemedButton
+from situ_studio.edits import places, words
 from situ_studio.kinds import Section
-from situ_studio.layouts import clear
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.section_head import SectionHead
 from situ_studio.panels.subject import MARGIN, Subject
 from situ_studio.screens import placing
 from situ_studio.screens.devices import USUAL
 from situ_studio.screens.fitness import fits
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import Elided, IconButton, IconLabel, ThemedButton
+from situ_studio.widgets.layouts import clear
 
 
 class ComponentSection(QWidget):

@@ -11,16 +11,16 @@ from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QVBoxLayout, QWidget
 
 from situ.document.condition import Condition, Group, GroupName, Test
-from situ_studio.heard_as import hear_as
-from situ_studio.icon_widgets import IconButton, IconLabel
+from situ_studio.assistive.heard_as import hear_as
+from situ_studio.edits.vocabulary import Vocabulary
 from situ_studio.kinds import GROUPS
-from situ_studio.language import translated
-from situ_studio.layouts import clear
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Choice
 from situ_studio.panels.test_box import TestBox
-from situ_studio.theme import Theme
-from situ_studio.vocabulary import Vocabulary
+from situ_studio.widgets.icon_widgets import IconButton, IconLabel
+from situ_studio.widgets.layouts import clear
+from situ_studio.wording.language import translated
 
 Path = tuple[int, ...]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QAbstractItemView, QLabel
 
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
 
 SIDE, TOP, WIDEST = 12, 10, 560
 """Px left free beside and above the words, and how wide they become."""

@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QWidget
 
 from situ.document.rbd import AGAIN, BACK
 from situ.document.words import numbered
-from situ_studio.language import translated
+from situ_studio.edits.vocabulary import Vocabulary
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import (
     Choice,
     FieldWidget,
@@ -21,8 +22,7 @@ from situ_studio.panels.fields import (
     Swatch,
     Words,
 )
-from situ_studio.theme import Theme
-from situ_studio.vocabulary import Vocabulary
+from situ_studio.wording.language import translated
 
 
 def make_field(

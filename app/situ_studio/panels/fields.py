@@ -32,10 +32,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ_studio import icons
-from situ_studio.named_box import NamedBox
+from situ_studio.looks import icons
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.tag_completion import TagCompletion
-from situ_studio.theme import Theme
+from situ_studio.widgets.named_box import NamedBox
 
 _SHIFT = Qt.KeyboardModifier.ShiftModifier
 _BETWEEN = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason)

@@ -16,14 +16,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ_studio import icons
-from situ_studio.announcing import CurrentRow
-from situ_studio.focus_ring import paint_chosen
-from situ_studio.letters import enlarged, px
+from situ_studio.assistive.announcing import CurrentRow
+from situ_studio.finding.search import Hit, Hits
+from situ_studio.looks import icons
+from situ_studio.looks.letters import enlarged, px
+from situ_studio.looks.theme import Theme, face
 from situ_studio.panels.empty import EmptyHint
 from situ_studio.panels.lists import PLACE, AnyIndex
-from situ_studio.search import Hit, Hits
-from situ_studio.theme import Theme, face
+from situ_studio.widgets.focus_ring import paint_chosen
 
 WHERE = 320
 """Px of width that a place has before its text."""

@@ -19,13 +19,11 @@ from PySide6.QtWidgets import (
 
 from situ.document import rbd
 from situ.document.condition import Test
-from situ_studio import changes, notes, places, words
-from situ_studio.help_topics import HELP, field_topic
-from situ_studio.icon_widgets import IconButton
+from situ_studio.edits import changes, notes, places, words
+from situ_studio.help.help_topics import HELP, field_topic
 from situ_studio.kinds import Field, Kind, Section
-from situ_studio.language import translated
-from situ_studio.layouts import rule
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.component_sections import SECTIONS, ComponentSection
 from situ_studio.panels.field_making import make_field, offer
 from situ_studio.panels.fields import Choice, FieldWidget, Flag, Line, Paragraph
@@ -33,7 +31,9 @@ from situ_studio.panels.section import SectionEditor
 from situ_studio.panels.subject import LABEL, MARGIN, Subject
 from situ_studio.panels.test_box import TestBox
 from situ_studio.panels.timeout_rows import TimeoutRows
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import IconButton
+from situ_studio.widgets.layouts import rule
+from situ_studio.wording.language import translated
 
 
 class Form(QWidget):

@@ -6,7 +6,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QLabel, QMenu, QWidget
 
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
 
 HEIGHT = 32
 

@@ -15,12 +15,12 @@ from PySide6.QtWidgets import (
 
 from situ.document.problem import Problem
 from situ.document.project import Project
-from situ_studio import kinds, places, words
-from situ_studio.edit import Document, Place
-from situ_studio.icon_widgets import Elided, IconButton, IconLabel
-from situ_studio.language import translated
-from situ_studio.layouts import rule
-from situ_studio.letters import px
+from situ_studio import kinds
+from situ_studio.edits import places, words
+from situ_studio.edits.edit import Document, Place
+from situ_studio.edits.vocabulary import Vocabulary
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.component_sections import AlignSeveral
 from situ_studio.panels.form import Form
 from situ_studio.panels.header import TitleBar
@@ -28,8 +28,9 @@ from situ_studio.panels.over_scroll import OverScroll
 from situ_studio.panels.subject import Subject
 from situ_studio.panels.told import Told
 from situ_studio.screens.devices import USUAL, Device
-from situ_studio.theme import Theme
-from situ_studio.vocabulary import Vocabulary
+from situ_studio.widgets.icon_widgets import Elided, IconButton, IconLabel
+from situ_studio.widgets.layouts import rule
+from situ_studio.wording.language import translated
 
 
 class Inspector(QWidget):

@@ -6,10 +6,10 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
-from situ_studio import icons
-from situ_studio.focus_ring import paint_chosen
-from situ_studio.letters import enlarged, px
-from situ_studio.theme import Theme, face
+from situ_studio.looks import icons
+from situ_studio.looks.letters import enlarged, px
+from situ_studio.looks.theme import Theme, face
+from situ_studio.widgets.focus_ring import paint_chosen
 
 NUMBER = int(Qt.ItemDataRole.UserRole) + 1
 """Shown right-aligned in a narrow column before the name."""

@@ -9,11 +9,11 @@ from PySide6.QtGui import QKeyEvent, QStandardItem, QStandardItemModel
 from PySide6.QtWidgets import QLabel, QListView, QVBoxLayout, QWidget
 
 from situ_studio.kinds import MODULE_MIME
-from situ_studio.known_modules import Known
-from situ_studio.language import tr
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.lists import COUNT, DETAIL, ICON, MARKS, PLACE, RowDelegate
-from situ_studio.theme import Theme
+from situ_studio.project.known_modules import Known
+from situ_studio.wording.language import tr
 
 ROWS = 4
 """So many are seen at the most; the others are reached by scrolling."""

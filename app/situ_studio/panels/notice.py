@@ -14,9 +14,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ_studio.icon_widgets import IconLabel
-from situ_studio.letters import px
-from situ_studio.theme import Theme
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
+from situ_studio.widgets.icon_widgets import IconLabel
 
 Answer = tuple[str, Callable[[], object]]
 

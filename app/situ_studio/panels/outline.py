@@ -15,13 +15,14 @@ from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.document.rbd import Application, State
 from situ.document.spds import Spds
-from situ_studio import kinds, places, words
-from situ_studio.edit import Document, Place
-from situ_studio.exchanged import draws_the_same
-from situ_studio.language import tr
+from situ_studio import kinds
+from situ_studio.edits import places, words
+from situ_studio.edits.edit import Document, Place
+from situ_studio.edits.exchanged import draws_the_same
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.lists import COUNT, DETAIL, ICON, MARKS, NUMBER, PLACE, RowDelegate
 from situ_studio.panels.more_modules import MoreModules
-from situ_studio.theme import Theme
+from situ_studio.wording.language import tr
 
 
 class Row(Struct, frozen=True, kw_only=True):

@@ -11,13 +11,13 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from situ.document import modules, rbd
-from situ_studio.icon_widgets import IconButton
+from situ_studio.edits.vocabulary import Vocabulary
 from situ_studio.kinds import TYPES
-from situ_studio.language import translated
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Choice, Line
-from situ_studio.theme import Theme
-from situ_studio.vocabulary import Vocabulary
+from situ_studio.widgets.icon_widgets import IconButton
+from situ_studio.wording.language import translated
 
 
 class Column(Struct, frozen=True):

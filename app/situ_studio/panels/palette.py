@@ -12,16 +12,16 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLay
 from situ.document.modules import Modules
 from situ.document.rbd import Application
 from situ.document.spds import Spds
-from situ_studio import icons
-from situ_studio.dragging import Dragging
-from situ_studio.edit import Document
-from situ_studio.help_topics import HELP
-from situ_studio.icon_widgets import ThemedButton
+from situ_studio.edits.edit import Document
+from situ_studio.help.help_topics import HELP
 from situ_studio.kinds import KINDS, MIME, Kind
-from situ_studio.language import translated
-from situ_studio.layouts import clear
-from situ_studio.letters import px
-from situ_studio.theme import Theme
+from situ_studio.looks import icons
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
+from situ_studio.widgets.dragging import Dragging
+from situ_studio.widgets.icon_widgets import ThemedButton
+from situ_studio.widgets.layouts import clear
+from situ_studio.wording.language import translated
 
 
 def offered(document: Document | None) -> tuple[Kind, ...]:

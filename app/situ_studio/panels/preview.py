@@ -10,10 +10,10 @@ from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from situ.document import rbd
+from situ_studio.looks.theme import Theme
 from situ_studio.screens.painted import Painted
 from situ_studio.screens.painting import DEVICE, layer
 from situ_studio.screens.shown import Content, Values, content
-from situ_studio.theme import Theme
 
 
 class ScreenPreview(QWidget):

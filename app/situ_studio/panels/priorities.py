@@ -9,13 +9,13 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from situ.document.spds import Entry, Situation, Spds
-from situ_studio.help_topics import explain
-from situ_studio.icon_widgets import Elided, IconButton, IconLabel
-from situ_studio.layouts import clear, rule
-from situ_studio.letters import px
+from situ_studio.edits.vocabulary import Vocabulary
+from situ_studio.help.help_topics import explain
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Choice, Number
-from situ_studio.theme import Theme
-from situ_studio.vocabulary import Vocabulary
+from situ_studio.widgets.icon_widgets import Elided, IconButton, IconLabel
+from situ_studio.widgets.layouts import clear, rule
 
 
 class PrioritiesEditor(QFrame):

@@ -34,12 +34,12 @@ from PySide6.QtWidgets import (
 )
 
 from situ.document.problem import Problem
-from situ_studio import icons
-from situ_studio.focus_ring import paint_chosen
-from situ_studio.language import said
-from situ_studio.letters import px
+from situ_studio.looks import icons
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme, font
 from situ_studio.panels.lists import PLACE, AnyIndex
-from situ_studio.theme import Theme, font
+from situ_studio.widgets.focus_ring import paint_chosen
+from situ_studio.wording.language import said
 
 PROBLEM = PLACE
 WHERE = PLACE + 10

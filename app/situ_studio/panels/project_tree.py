@@ -21,14 +21,14 @@ from situ.document.modules import Modules
 from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import Spds
-from situ_studio import icons
-from situ_studio.announcing import soon, tell_row
-from situ_studio.edit import Document
-from situ_studio.language import tr
-from situ_studio.letters import px
+from situ_studio.assistive.announcing import soon, tell_row
+from situ_studio.edits.edit import Document
+from situ_studio.looks import icons
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.lists import COUNT, ICON, MARKS, PLACE, RowDelegate
 from situ_studio.screens.media_import import names_of
-from situ_studio.theme import Theme
+from situ_studio.wording.language import tr
 
 MEDIA = "media/"
 """What the tab of the media goes by, as others go by their file."""

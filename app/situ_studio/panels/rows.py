@@ -30,12 +30,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ_studio.focus_ring import paint_ring
-from situ_studio.heard_as import hear_as
-from situ_studio.icon_widgets import Elided, IconButton, IconLabel
-from situ_studio.layouts import clear, rule
-from situ_studio.letters import px
-from situ_studio.theme import Theme
+from situ_studio.assistive.heard_as import hear_as
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
+from situ_studio.widgets.focus_ring import paint_ring
+from situ_studio.widgets.icon_widgets import Elided, IconButton, IconLabel
+from situ_studio.widgets.layouts import clear, rule
 
 
 class Row(Struct, frozen=True, kw_only=True):

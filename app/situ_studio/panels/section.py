@@ -8,11 +8,11 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QMenu, QVBoxLayout, QWidget
 
 from situ.document import rbd, spds
-from situ_studio import kinds, words
-from situ_studio.edit import Place
-from situ_studio.icon_widgets import IconButton
+from situ_studio import kinds
+from situ_studio.edits import words
+from situ_studio.edits.edit import Place
 from situ_studio.kinds import Kind, Section
-from situ_studio.language import translated
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.conditions import AddTest, ConditionEditor
 from situ_studio.panels.pairs import PAIRS, PairsEditor
 from situ_studio.panels.preview import ScreenPreview
@@ -21,7 +21,8 @@ from situ_studio.panels.rows import RowList
 from situ_studio.panels.section_head import SectionHead
 from situ_studio.panels.subject import MARGIN, Subject
 from situ_studio.panels.summaries import action_row, component_row, event_row
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import IconButton
+from situ_studio.wording.language import translated
 
 
 class SectionEditor(QWidget):

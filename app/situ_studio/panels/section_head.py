@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QHBoxLayout, QLabel
 
-from situ_studio.icon_widgets import Elided
 from situ_studio.kinds import Section
-from situ_studio.language import translated
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.widgets.icon_widgets import Elided
+from situ_studio.wording.language import translated
 
 
 class SectionHead(QHBoxLayout):

@@ -9,11 +9,11 @@ from msgspec import Struct
 
 from situ.document.problem import Problem
 from situ.document.project import Project
-from situ_studio.edit import Document, Place
+from situ_studio.edits.edit import Document, Place
+from situ_studio.edits.vocabulary import Vocabulary
+from situ_studio.looks.theme import Theme
 from situ_studio.screens.devices import USUAL, Device
 from situ_studio.screens.media_import import home_of
-from situ_studio.theme import Theme
-from situ_studio.vocabulary import Vocabulary
 
 LABEL = 72
 MARGIN = 12

@@ -6,10 +6,10 @@ from typing import Any
 
 from situ.document import rbd
 from situ_studio import kinds
-from situ_studio.edit import Document
-from situ_studio.language import tr, translated
+from situ_studio.edits.edit import Document
+from situ_studio.edits.words import condition_words, leads_to
 from situ_studio.panels.rows import Row
-from situ_studio.words import condition_words, leads_to
+from situ_studio.wording.language import tr, translated
 
 
 def action_row(action: rbd.Action, mark: str = "") -> Row:

@@ -17,9 +17,9 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFontMetrics, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
-from situ_studio.focus_ring import paint_bar
-from situ_studio.letters import px
-from situ_studio.theme import Theme, font
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme, font
+from situ_studio.widgets.focus_ring import paint_bar
 
 ROW = 24
 BESIDE = 20

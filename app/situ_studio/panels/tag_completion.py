@@ -8,8 +8,8 @@ from PySide6.QtCore import QEvent, QObject, QRect, QStringListModel, Qt
 from PySide6.QtGui import QKeyEvent, QTextCursor
 from PySide6.QtWidgets import QAbstractItemView, QCompleter, QLineEdit, QPlainTextEdit
 
-from situ_studio.letters import px
-from situ_studio.theme import FORM, font
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import FORM, font
 
 BEGUN = re.compile(r"\{([^{}\s]*)$")
 """A reference that is not closed yet, before the cursor."""

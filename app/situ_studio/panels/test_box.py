@@ -14,15 +14,15 @@ from situ.document.condition import Test
 from situ.document.datatypes import number, write_number
 from situ.document.names import only_reference
 from situ.document.spds import DataType
-from situ_studio.heard_as import hear_as
-from situ_studio.help_topics import explain
-from situ_studio.icon_widgets import IconButton, IconLabel
+from situ_studio.assistive.heard_as import hear_as
+from situ_studio.edits.vocabulary import Vocabulary
+from situ_studio.help.help_topics import explain
 from situ_studio.kinds import TESTS
-from situ_studio.language import translated
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Choice, Line, Number
-from situ_studio.theme import Theme
-from situ_studio.vocabulary import Vocabulary
+from situ_studio.widgets.icon_widgets import IconButton, IconLabel
+from situ_studio.wording.language import translated
 
 # `exists` has only two values, so it is two tests to the designer.
 _MISSING = "missing"

@@ -14,17 +14,17 @@ from PySide6.QtWidgets import (
 
 from situ.document import rbd
 from situ.document.words import numbered
-from situ_studio.help_topics import explain
-from situ_studio.language import translated
-from situ_studio.letters import px
+from situ_studio.edits.vocabulary import Vocabulary
+from situ_studio.help.help_topics import explain
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import (
     Choice,
     Flag,
     Number,
 )
 from situ_studio.panels.subject import LABEL, MARGIN
-from situ_studio.theme import Theme
-from situ_studio.vocabulary import Vocabulary
+from situ_studio.wording.language import translated
 
 
 class TimeoutRows(QWidget):

@@ -14,12 +14,12 @@ from PySide6.QtWidgets import (
 )
 
 from situ.document.problem import Problem
-from situ_studio.icon_widgets import IconLabel
-from situ_studio.language import said, tr
-from situ_studio.layouts import clear
-from situ_studio.letters import px
-from situ_studio.tab_order import stops
-from situ_studio.theme import Theme
+from situ_studio.assistive.tab_order import stops
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
+from situ_studio.widgets.icon_widgets import IconLabel
+from situ_studio.widgets.layouts import clear
+from situ_studio.wording.language import said, tr
 
 SEEN = 2
 """Problems that are seen at once: of more, the form would begin far below."""

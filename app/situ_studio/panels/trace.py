@@ -9,13 +9,13 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from situ.rehearse.telling import Teller
-from situ_studio.language import said, tr
 from situ_studio.live.log import TraceLog
 from situ_studio.live.log_rows import LogRows
 from situ_studio.live.moment import TraceFields
 from situ_studio.live.viewing import Viewing
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.table import Row, RowsTable
-from situ_studio.theme import Theme
+from situ_studio.wording.language import said, tr
 
 _LOUD = ("transition", "situation", "authority", "error", "warning")
 CAUSE = 2

@@ -5,9 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from situ_studio.language import tr
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
 from situ_studio.panels.trace import Trace
+from situ_studio.wording.language import tr
 
 GROUPS: dict[str, tuple[str, ...]] = {
     "states": ("transition", "enter", "exit", "suspend", "resume", "paused", "resumed"),

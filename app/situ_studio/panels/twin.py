@@ -17,16 +17,17 @@ from situ.document import rbd
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.document.spds import Spds
-from situ_studio import changes, kinds, places, words
+from situ_studio import kinds
 from situ_studio.canvas.script_laws import Laws
-from situ_studio.copying import Copying
-from situ_studio.edit import Document, Place
-from situ_studio.letters import px
+from situ_studio.copying.clipboard import Copying
+from situ_studio.copying.script_clipboard import ScriptCopying
+from situ_studio.edits import changes, places, words
+from situ_studio.edits.edit import Document, Place
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.twin_model import TwinModel, read
 from situ_studio.panels.twin_rows import Node
 from situ_studio.panels.twin_tree import TwinDelegate, TwinTree
-from situ_studio.script_copying import ScriptCopying
-from situ_studio.theme import Theme
 
 SHORT = 40
 """Rows at the top up to which all are open at the start."""

@@ -16,15 +16,15 @@ from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QWidget
 
 from situ.document import rbd, spds
-from situ_studio import icons
-from situ_studio.edit import Document, Place
+from situ_studio.edits.edit import Document, Place
+from situ_studio.looks import icons
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.twin_rows import (
     Node,
     application_rows,
     information_rows,
     script_rows,
 )
-from situ_studio.theme import Theme
 
 AnyIndex = QModelIndex | QPersistentModelIndex
 

@@ -7,9 +7,10 @@ from functools import partial
 from typing import Any
 
 from situ.document import modules, rbd, spds
-from situ_studio import kinds, words
-from situ_studio.edit import Place
-from situ_studio.language import tr, translated
+from situ_studio import kinds
+from situ_studio.edits import words
+from situ_studio.edits.edit import Place
+from situ_studio.wording.language import tr, translated
 
 Editable = dict[int, tuple[Place, str, str]]
 """Column to place, attribute and label of what is edited there."""

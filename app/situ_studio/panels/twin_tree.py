@@ -14,11 +14,11 @@ from PySide6.QtWidgets import (
 )
 
 from situ.document import rbd, spds, words
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Choice
 from situ_studio.panels.project_tree import Tree
 from situ_studio.panels.twin_model import AnyIndex, TwinModel
 from situ_studio.panels.twin_rows import Node
-from situ_studio.theme import Theme
 
 
 class TwinTree(Tree):

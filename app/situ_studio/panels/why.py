@@ -8,11 +8,11 @@ from msgspec import Struct
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from situ_studio.announcing import announce
-from situ_studio.edit import Place
-from situ_studio.language import tr
+from situ_studio.assistive.announcing import announce
+from situ_studio.edits.edit import Place
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.table import Row, RowsTable
-from situ_studio.theme import Theme
+from situ_studio.wording.language import tr
 
 
 class Link(Struct, frozen=True):

@@ -10,13 +10,13 @@ from PySide6.QtCore import QPoint, Signal
 from situ.document import toml_writing as writing
 from situ.document.rbd import Application
 from situ_studio.canvas.gestures import title
-from situ_studio.language import tr
 from situ_studio.panels.fields import Choice
 from situ_studio.project_form.boxes import RowsSection, Tables, table_of, texts_of
 from situ_studio.project_form.rows import Column
+from situ_studio.wording.language import tr
 
 if TYPE_CHECKING:
-    from situ_studio.theme import Theme
+    from situ_studio.looks.theme import Theme
 
 
 class ApplicationsSection(RowsSection):

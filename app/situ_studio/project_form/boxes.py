@@ -10,11 +10,11 @@ from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QVBoxLay
 
 from situ.document import toml_writing as writing
 from situ.document.beside import Toml
-from situ_studio.edit import Place
-from situ_studio.icon_widgets import IconButton
-from situ_studio.language import tr
+from situ_studio.edits.edit import Place
+from situ_studio.looks.theme import Theme
 from situ_studio.project_form.rows import Checked, Column, Rows
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import IconButton
+from situ_studio.wording.language import tr
 
 Change = Callable[[Toml], Toml]
 Tables = Mapping[str, Any]

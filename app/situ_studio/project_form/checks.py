@@ -7,7 +7,7 @@ from typing import Any
 
 from situ.document import names
 from situ.document.projectfile import BROKER, FILTER
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 
 def tag(text: str) -> str:

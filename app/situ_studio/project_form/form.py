@@ -13,8 +13,10 @@ from situ.document.beside import Toml
 from situ.document.folder import LOCAL_FILE, PROJECT_FILE
 from situ.document.problem import Problem
 from situ.document.project import Project
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Choice
+from situ_studio.panels.tabs import Segments
 from situ_studio.panels.told import Told
 from situ_studio.project_form.applications import ApplicationsSection
 from situ_studio.project_form.boxes import Change, FieldsSection, Section
@@ -30,8 +32,6 @@ from situ_studio.project_form.sections import (
     TagsSection,
 )
 from situ_studio.project_form.signs import Signs
-from situ_studio.tabs import Segments
-from situ_studio.theme import Theme
 
 WIDTH = 760
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from situ_studio.edit import Place
-from situ_studio.language import tr
+from situ_studio.edits.edit import Place
+from situ_studio.wording.language import tr
 
 
 def sections() -> tuple[tuple[Place, str, str], ...]:

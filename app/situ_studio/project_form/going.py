@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtWidgets import QApplication, QWidget
 
-from situ_studio.edit import Place
+from situ_studio.edits.edit import Place
 from situ_studio.project_form.boxes import FieldsSection, RowsSection, Section
 
 if TYPE_CHECKING:

@@ -7,13 +7,13 @@ from typing import Any
 from PySide6.QtCore import Signal
 
 from situ.document.project import Project
-from situ_studio.language import tr
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Choice
 from situ_studio.project_form.boxes import RowsSection
 from situ_studio.project_form.checks import free, named
 from situ_studio.project_form.rows import Checked, Column
 from situ_studio.texts.model import language_name
-from situ_studio.theme import Theme
+from situ_studio.wording.language import tr
 
 
 class ReadingsSection(RowsSection):

@@ -8,10 +8,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from situ.document import toml_writing as writing
-from situ_studio.language import tr
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Flag
 from situ_studio.project_form.boxes import FieldsSection, Tables, table_of
-from situ_studio.theme import Theme
+from situ_studio.wording.language import tr
 
 
 class RobotSection(FieldsSection):

@@ -9,10 +9,10 @@ from msgspec import Struct
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
-from situ_studio.icon_widgets import IconButton
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import FieldWidget, Line, Paragraph
 from situ_studio.project_form.values import ValueField
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import IconButton
 
 AnyField = FieldWidget | ValueField
 

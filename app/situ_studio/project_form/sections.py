@@ -12,8 +12,8 @@ from situ.document import names
 from situ.document import toml_writing as writing
 from situ.document.beside import Toml
 from situ.document.project import SETTING_TYPES
-from situ_studio.edit import Place
-from situ_studio.language import tr
+from situ_studio.edits.edit import Place
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Choice, Line, Number
 from situ_studio.project_form.boxes import (
     RowsSection,
@@ -25,7 +25,7 @@ from situ_studio.project_form.checks import broker, free, named, once, pattern, 
 from situ_studio.project_form.rows import Checked, Column
 from situ_studio.project_form.values import ValueField
 from situ_studio.texts.model import language_name
-from situ_studio.theme import Theme
+from situ_studio.wording.language import tr
 
 
 class LanguagesSection(RowsSection):

@@ -9,11 +9,11 @@ from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtWidgets import QWidget
 
 from situ.document.problem import Problem
-from situ_studio.icon_widgets import IconButton
-from situ_studio.language import said, tr
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
 from situ_studio.project_form.boxes import Section
 from situ_studio.project_form.going import field_at
+from situ_studio.widgets.icon_widgets import IconButton
+from situ_studio.wording.language import said, tr
 
 if TYPE_CHECKING:
     from situ_studio.project_form.form import ProjectForm

@@ -8,9 +8,9 @@ from typing import Any
 from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QWidget
 
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Choice, Line, Number
-from situ_studio.theme import Theme
 
 KINDS = ("text", "number", "flag", "json")
 

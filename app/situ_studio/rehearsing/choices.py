@@ -6,9 +6,9 @@ from PySide6.QtCore import QEvent, QModelIndex, QPersistentModelIndex, QRectF, Q
 from PySide6.QtGui import QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QListWidget, QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
-from situ_studio import icons
-from situ_studio.letters import px
-from situ_studio.theme import Theme, font
+from situ_studio.looks import icons
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme, font
 
 HIGH, BOX, EDGE = 26, 16, 6
 """Px of a row, of its box, and beside the box."""

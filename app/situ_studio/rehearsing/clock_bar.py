@@ -5,9 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
-from situ_studio.icon_widgets import IconButton
-from situ_studio.tabs import Segments
-from situ_studio.theme import Theme
+from situ_studio.looks.theme import Theme
+from situ_studio.panels.tabs import Segments
+from situ_studio.widgets.icon_widgets import IconButton
 
 PACES = (1, 10)
 

@@ -24,10 +24,8 @@ from situ.document.project import Project
 from situ.document.values import read
 from situ.rehearse.scenario import WRITER
 from situ_studio import kinds
-from situ_studio.heard_as import hear_as
-from situ_studio.icon_widgets import Elided, retheme
-from situ_studio.language import translated
-from situ_studio.layouts import clear, rule
+from situ_studio.assistive.heard_as import hear_as
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Flag
 from situ_studio.panels.over_scroll import OverScroll
 from situ_studio.rehearsing.answers import USUAL, example, known
@@ -45,7 +43,9 @@ from situ_studio.screens.media_import import home_of
 from situ_studio.screens.shown import Content
 from situ_studio.screens.tag_chips import Flow
 from situ_studio.texts.listening import Listening
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import Elided, retheme
+from situ_studio.widgets.layouts import clear, rule
+from situ_studio.wording.language import translated
 
 WIDE = 320
 

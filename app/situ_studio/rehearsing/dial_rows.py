@@ -10,16 +10,16 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QWidget
 
 from situ.decide.values import in_text
 from situ.document.values import is_number, read
-from situ_studio.announcing import announce
-from situ_studio.focus_ring import paint_ring
-from situ_studio.heard_as import hear_as
-from situ_studio.icon_widgets import Elided
-from situ_studio.letters import px
-from situ_studio.named_box import NamedBox
+from situ_studio.assistive.announcing import announce
+from situ_studio.assistive.heard_as import hear_as
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Flag
 from situ_studio.rehearsing.dials import Dial
-from situ_studio.theme import Theme
-from situ_studio.value_words import with_unit
+from situ_studio.widgets.focus_ring import paint_ring
+from situ_studio.widgets.icon_widgets import Elided
+from situ_studio.widgets.named_box import NamedBox
+from situ_studio.wording.value_words import with_unit
 
 STEPS = 100
 """Places of a slider between its bounds."""

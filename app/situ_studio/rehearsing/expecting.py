@@ -14,10 +14,10 @@ from situ.document.project import Project
 from situ.rehearse import scenario
 from situ.rehearse.expect import Expect
 from situ.rehearse.scenario import End
-from situ_studio.language import tr
+from situ_studio.edits.words import running_state
 from situ_studio.live.moment import TraceFields
 from situ_studio.rehearsing.course import Course
-from situ_studio.words import running_state
+from situ_studio.wording.language import tr
 
 _FIELDS = {
     "enter": ("application", "state"),

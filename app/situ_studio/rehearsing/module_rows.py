@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QMenu, QPushButton, QWidge
 
 from situ.decide import inputs
 from situ.document.values import read
-from situ_studio.icon_widgets import Elided, IconButton
-from situ_studio.letters import px
-from situ_studio.theme import Theme
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
+from situ_studio.widgets.icon_widgets import Elided, IconButton
 
 
 class ModuleRow(QWidget):

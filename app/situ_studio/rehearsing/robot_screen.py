@@ -21,12 +21,12 @@ from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 
 from situ.decide.screens import Shown
 from situ.decide.values import in_text
-from situ_studio.heard_as import hear_as
+from situ_studio.assistive.heard_as import hear_as
+from situ_studio.looks.theme import Theme
 from situ_studio.screens.component_painting import Stage
 from situ_studio.screens.list_painting import rows
 from situ_studio.screens.painting import DEVICE, layer, paint_content
 from situ_studio.screens.shown import Content
-from situ_studio.theme import Theme
 
 NEXT = (Qt.Key.Key_Right, Qt.Key.Key_Down)
 BEFORE = (Qt.Key.Key_Left, Qt.Key.Key_Up)

@@ -18,12 +18,12 @@ from situ.decide.inputs import Deploy
 from situ.document import folder
 from situ.errors import UsageError
 from situ.rehearse.suite import ENDING
-from situ_studio.dialog_buttons import add_buttons
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.rehearsing.choices import Choices
 from situ_studio.rehearsing.course import Course
 from situ_studio.rehearsing.expecting import Chance, chances, written
-from situ_studio.theme import Theme
+from situ_studio.widgets.dialog_buttons import add_buttons
 
 
 class SavingScenario(QDialog):

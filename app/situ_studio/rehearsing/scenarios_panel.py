@@ -7,12 +7,12 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 
 from situ.rehearse.coverage import Coverage, Seen
 from situ.rehearse.suite import Failed, Played
-from situ_studio.icon_widgets import ThemedButton, retheme
-from situ_studio.language import said, tr
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.empty import EmptyHint
 from situ_studio.panels.table import Row, RowsTable
 from situ_studio.rehearsing.scenario_run import Ran, ScenarioRun
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import ThemedButton, retheme
+from situ_studio.wording.language import said, tr
 
 
 class ScenariosPanel(QWidget):

@@ -11,13 +11,13 @@ from situ.errors import UsageError
 from situ.rehearse.suite import scenarios
 from situ_studio.live.log import TraceLog
 from situ_studio.live.recordings import Recording
+from situ_studio.processes.working import Work
 from situ_studio.rehearsing.painting import painted
 from situ_studio.rehearsing.scenario_run import Ran, ScenarioRun
 from situ_studio.rehearsing.scenarios_panel import ScenariosPanel, failed_words
-from situ_studio.working import Work
 
 if TYPE_CHECKING:
-    from situ_studio.window import MainWindow
+    from situ_studio.window.main_window import MainWindow
 
 PANEL = "scenarios"
 

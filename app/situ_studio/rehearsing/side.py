@@ -12,18 +12,18 @@ from situ.document import beside
 from situ.document.check import structure
 from situ.document.folder import resolve
 from situ.document.project import Project
-from situ_studio.edit import write
-from situ_studio.icon_widgets import IconButton
-from situ_studio.letters import px
+from situ_studio.edits.edit import write
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.header import PanelHeader
 from situ_studio.rehearsing.course import Version
 from situ_studio.rehearsing.desk import WIDE, Desk
 from situ_studio.rehearsing.running import Running
 from situ_studio.rehearsing.saving import SavingScenario
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import IconButton
 
 if TYPE_CHECKING:
-    from situ_studio.window import MainWindow
+    from situ_studio.window.main_window import MainWindow
 
 DOCK = "rehearsal"
 AWAY = "inspector"

@@ -7,10 +7,10 @@ from PySide6.QtGui import QPainter, QPaintEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from situ.decide.step import SECOND
-from situ_studio.icon_widgets import IconLabel
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Flag
 from situ_studio.rehearsing.course import Speaking
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import IconLabel
 
 HIGH = 3
 """px of the bar that tells how much has been said."""

@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLay
 
 from situ.document.diff import compare
 from situ.document.project import Project
-from situ_studio.language import said, tr
 from situ_studio.live.deploying_words import waited
 from situ_studio.rehearsing.course import Course
+from situ_studio.wording.language import said, tr
 
 MOST = 3
 """Changes that are told."""

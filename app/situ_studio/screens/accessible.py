@@ -22,11 +22,11 @@ from PySide6.QtWidgets import QAccessibleWidget
 
 from situ.document import rbd
 from situ_studio import kinds
-from situ_studio.accessible_actions import NOTHING_MORE, PartActions
-from situ_studio.language import tr, translated
+from situ_studio.assistive.accessible_actions import NOTHING_MORE, PartActions
 from situ_studio.screens import marks
 from situ_studio.screens.placing import box_of
 from situ_studio.screens.problem_marks import spoken
+from situ_studio.wording.language import tr, translated
 
 if TYPE_CHECKING:
     from situ_studio.screens.sheet import Sheet

@@ -11,7 +11,7 @@ from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QTransform
 
 from situ.decide.screens import Shown
-from situ_studio import icons
+from situ_studio.looks import icons
 from situ_studio.screens.css_colours import css_colour
 from situ_studio.screens.lettering import REFERENCE, Fitted, Line, Style, base, fit, set_lines
 from situ_studio.screens.measures import is_light, measures

@@ -6,8 +6,8 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from situ_studio.kinds import COMPONENTS
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.palette import PaletteItem
-from situ_studio.theme import Theme
 
 
 class ComponentTiles(QWidget):

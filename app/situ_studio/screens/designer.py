@@ -1,7 +1,7 @@
 """The screen designer: one state's screen in the whole middle, to scale, in its device.
 
-It is the piece ``designer`` of the view *Screen* (``situ_studio.views``). What is at the left of
-it, ``side``, the window shows in a panel of its own.
+It is the piece ``designer`` of the view *Screen* (``situ_studio.views.table``). What is at the
+left of it, ``side``, the window shows in a panel of its own.
 """
 
 from __future__ import annotations
@@ -20,11 +20,10 @@ from situ.document.names import is_reserved, is_tag
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.errors import UsageError
-from situ_studio import places, words
-from situ_studio.breadcrumbs import Breadcrumbs
-from situ_studio.edit import Place
-from situ_studio.layouts import rule
-from situ_studio.letters import px
+from situ_studio.edits import places, words
+from situ_studio.edits.edit import Place
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.screens import media_import, templates
 from situ_studio.screens.designer_bar import DesignerBar
 from situ_studio.screens.designer_sheet import DesignerSheet, files_in
@@ -41,7 +40,8 @@ from situ_studio.screens.sampling import Sampling
 from situ_studio.screens.state_screen import StateScreen
 from situ_studio.screens.strip import StateStrip
 from situ_studio.screens.walk import Walk
-from situ_studio.theme import Theme
+from situ_studio.widgets.breadcrumbs import Breadcrumbs
+from situ_studio.widgets.layouts import rule
 
 SAY = ("text", "button")
 """Components whose words come first."""

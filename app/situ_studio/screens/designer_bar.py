@@ -6,12 +6,12 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QSizePolicy, QWidget
 
-from situ_studio.icon_widgets import IconButton, ThemedButton
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Choice
+from situ_studio.panels.tabs import Segments
 from situ_studio.screens.devices import DEVICES, USUAL, Device
-from situ_studio.tabs import Segments
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import IconButton, ThemedButton
 
 OWN = "own"
 ROOMY = 560

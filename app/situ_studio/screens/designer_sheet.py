@@ -8,12 +8,12 @@ from PySide6.QtCore import QMimeData, Qt, Signal
 from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent, QPainter
 
 from situ.document import rbd
+from situ_studio.looks.theme import CAPTION, font
 from situ_studio.screens import placing
 from situ_studio.screens.media_import import kind_of
 from situ_studio.screens.sheet import Sheet
 from situ_studio.screens.tag_chips import TAG
 from situ_studio.screens.templates import TEMPLATE, read
-from situ_studio.theme import CAPTION, font
 
 
 class DesignerSheet(Sheet):

@@ -5,16 +5,16 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QVBoxLayout, QWidget
 
-from situ_studio.icon_widgets import IconButton
-from situ_studio.layouts import rule
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.header import PanelHeader
 from situ_studio.panels.over_scroll import OverScroll
 from situ_studio.screens.component_tiles import ComponentTiles
 from situ_studio.screens.layers import Layers
 from situ_studio.screens.tag_chips import TagChips
 from situ_studio.screens.template_tiles import TemplateTiles
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import IconButton
+from situ_studio.widgets.layouts import rule
 
 
 class DesignerSide(OverScroll):

@@ -6,13 +6,13 @@ from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QMouseEvent, QPainter, QPaintEvent, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.screens.devices import USUAL, Device
 from situ_studio.screens.measures import measures
 from situ_studio.screens.painting import layer
 from situ_studio.screens.rulers import WIDE, Ruler
 from situ_studio.screens.sheet import Sheet
-from situ_studio.theme import Theme
 
 AROUND, ABOVE = 24, 36
 """Px of ground beside and below the frame, and above it, where the names stand."""

@@ -9,8 +9,8 @@ from msgspec.structs import replace
 from PySide6.QtCore import QSize
 
 from situ.document import care_screen
-from situ_studio.language import tr
 from situ_studio.screens.painting import layer
+from situ_studio.wording.language import tr
 
 INCH = 25.4
 """Millimetres."""

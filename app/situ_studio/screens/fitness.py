@@ -15,12 +15,12 @@ from situ.document import care_screen as care
 from situ.document import rbd
 from situ.document.project import Project
 from situ_studio import kinds
-from situ_studio.language import tr, translated
 from situ_studio.screens.component_painting import Stage
 from situ_studio.screens.devices import USUAL, Device
 from situ_studio.screens.input_painting import letters, rooms
 from situ_studio.screens.painting import layer
 from situ_studio.screens.shown import content
+from situ_studio.wording.language import tr, translated
 
 APART = 3
 """Millimetres between two targets at least: from there on older adults hit the right one as well

@@ -9,10 +9,10 @@ from PySide6.QtCore import QEvent, QLineF, QRectF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import CAPTION, Theme, font
 from situ_studio.screens.guides import Guide
 from situ_studio.screens.keyboard import ARROWS, DELETE
-from situ_studio.theme import CAPTION, Theme, font
 
 ROOM = 60
 """Px across the line that its place has room in."""

@@ -7,13 +7,13 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from situ.document.rbd import Application
+from situ_studio.looks.theme import Theme
 from situ_studio.screens import guides as of_screens
 from situ_studio.screens import snapping
 from situ_studio.screens.device_ground import DeviceGround
 from situ_studio.screens.guide_lines import ROOM, GuideLine
 from situ_studio.screens.guides import Axis, Guide, Guides
 from situ_studio.screens.sheet import Sheet
-from situ_studio.theme import Theme
 
 NEAR = 4.0
 """Px from a guide at which the mouse takes it."""

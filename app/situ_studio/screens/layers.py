@@ -20,9 +20,9 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QListView, QWidge
 from situ.document import rbd
 from situ.document.problem import Problem
 from situ_studio import kinds
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.lists import COUNT, ICON, MARKS, PLACE, RowDelegate
 from situ_studio.screens.problem_marks import Told, spoken, told_words, worst
-from situ_studio.theme import Theme
 
 ROW = 24
 NONE: Told = {}

@@ -15,8 +15,8 @@ from typing import Literal, NamedTuple
 from PySide6.QtGui import QFont, QGlyphRun, QTextLayout
 
 from situ.document import phrases
+from situ_studio.looks.theme import FAMILIES
 from situ_studio.screens.measures import measures
-from situ_studio.theme import FAMILIES
 
 REFERENCE = 200
 """px; Qt takes whole px only between letters, and these are some."""

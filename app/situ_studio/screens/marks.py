@@ -8,12 +8,12 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPen
 
 from situ.document import rbd
-from situ_studio.language import tr
+from situ_studio.looks.theme import CAPTION, Theme, font
 from situ_studio.screens import placing
 from situ_studio.screens.devices import USUAL, Device
 from situ_studio.screens.placing import Box
 from situ_studio.screens.snapping import Gap, Snap
-from situ_studio.theme import CAPTION, Theme, font
+from situ_studio.wording.language import tr
 
 GRIP = 7.0
 """Side of a handle, px."""

@@ -11,7 +11,7 @@ from pathlib import Path
 from situ.document.folder import resolve
 from situ.document.project import Project
 from situ.errors import UsageError
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".avif", ".svg")
 MOVIES = (".webm", ".mp4", ".ogv")

@@ -18,15 +18,15 @@ from PySide6.QtWidgets import (
 
 from situ.document import rbd
 from situ.document.project import Project
-from situ_studio import mentions, places, words
-from situ_studio.edit import Place
-from situ_studio.icon_widgets import ThemedButton, retheme
-from situ_studio.layouts import rule
+from situ_studio.edits import mentions, places, words
+from situ_studio.edits.edit import Place
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.project_tree import stem
 from situ_studio.screens import media_import
 from situ_studio.screens.designer_sheet import files_in
 from situ_studio.screens.media_rows import DETAIL, ICON, KEY, MediaRows
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import ThemedButton, retheme
+from situ_studio.widgets.layouts import rule
 
 Use = tuple[str, Place]
 """A document's file, and the place that shows or plays a medium."""

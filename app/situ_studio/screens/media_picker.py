@@ -12,10 +12,10 @@ from PySide6.QtWidgets import QListWidgetItem, QWidget
 from situ.document.names import only_reference, references
 from situ_studio.canvas.gestures import Follow
 from situ_studio.canvas.menu import FollowMenu
-from situ_studio.language import tr
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.screens.media_rows import HIGH, ICON, IMPORT, KEY, MediaRows
-from situ_studio.theme import Theme
+from situ_studio.wording.language import tr
 
 WIDE = 320
 DATA = "{"

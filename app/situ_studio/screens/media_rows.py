@@ -8,11 +8,11 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
-from situ_studio import icons
-from situ_studio.focus_ring import paint_chosen
-from situ_studio.letters import enlarged, px
+from situ_studio.looks import icons
+from situ_studio.looks.letters import enlarged, px
+from situ_studio.looks.theme import FORM, LABEL, Theme, font
 from situ_studio.screens.media_pictures import picture
-from situ_studio.theme import FORM, LABEL, Theme, font
+from situ_studio.widgets.focus_ring import paint_chosen
 
 IMPORT = "/"
 """The key of a row that asks for a file from elsewhere: no file is called so."""

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
 from situ.decide.screens import Shown
 from situ.decide.values import in_text
 from situ.document import rbd
+from situ_studio.looks.theme import LIGHT, Theme
 from situ_studio.panels.preview import ScreenPreview
 from situ_studio.screens import placing
 from situ_studio.screens.component_painting import Stage
@@ -23,7 +24,6 @@ from situ_studio.screens.marks import Scale
 from situ_studio.screens.painting import layer
 from situ_studio.screens.shown import content
 from situ_studio.screens.walk import Walk
-from situ_studio.theme import LIGHT, Theme
 
 Target = tuple[rbd.Component, int]
 """What can be pressed: a component, and of a list the row, else -1."""

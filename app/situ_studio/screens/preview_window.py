@@ -8,14 +8,14 @@ from pathlib import Path
 from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtWidgets import QDialog, QFrame, QHBoxLayout, QLabel, QMenu, QVBoxLayout, QWidget
 
-from situ_studio import words
-from situ_studio.icon_widgets import Elided, IconButton, ThemedButton
-from situ_studio.letters import px
+from situ_studio.edits import words
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.screens.devices import Device
 from situ_studio.screens.measures import measures
 from situ_studio.screens.preview_page import PreviewPage
 from situ_studio.screens.walk import Walk
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import Elided, IconButton, ThemedButton
 
 SHARE = 0.94
 """Of the desk's room, at most."""

@@ -9,11 +9,12 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen
 
 from situ.document.problem import Problem
-from situ_studio import icons, places
-from situ_studio.edit import Place
-from situ_studio.language import said, tr
+from situ_studio.edits import places
+from situ_studio.edits.edit import Place
+from situ_studio.looks import icons
+from situ_studio.looks.theme import LIGHT
 from situ_studio.screens.marks import GRIP
-from situ_studio.theme import LIGHT
+from situ_studio.wording.language import said, tr
 
 if TYPE_CHECKING:
     from situ_studio.screens.sheet import Sheet

@@ -6,9 +6,9 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme, font
 from situ_studio.screens.guides import Guide
-from situ_studio.theme import Theme, font
 
 WIDE = 18
 """Px of a ruler's breadth."""

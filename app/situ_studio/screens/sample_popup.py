@@ -18,14 +18,14 @@ from PySide6.QtWidgets import (
 
 from situ.decide.values import in_text
 from situ.document.values import read
-from situ_studio.icon_widgets import Elided
-from situ_studio.layouts import clear
-from situ_studio.letters import px
-from situ_studio.named_box import NamedBox
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Flag
 from situ_studio.screens import samples
 from situ_studio.screens.sample_table import SampleTable
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import Elided
+from situ_studio.widgets.layouts import clear
+from situ_studio.widgets.named_box import NamedBox
 
 WIDE = 400
 MOST = 14

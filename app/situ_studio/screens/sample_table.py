@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 
 from situ.decide.values import in_text
 from situ.document.values import read
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
 
 ROW = 26
 MOST = 6

@@ -10,12 +10,12 @@ from PySide6.QtCore import QObject, Signal
 from situ.decide.values import in_text
 from situ.document import rbd
 from situ.document.project import Project
+from situ_studio.looks.theme import Theme
 from situ_studio.screens import samples
 from situ_studio.screens.designer_bar import DesignerBar
 from situ_studio.screens.sample_popup import SamplePopup
 from situ_studio.screens.samples import LANGUAGE
 from situ_studio.screens.shown import Texts, Values
-from situ_studio.theme import Theme
 
 
 class Sampling(QObject):

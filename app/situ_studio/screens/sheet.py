@@ -28,8 +28,9 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from situ.document import rbd
-from situ_studio.announcing import announce
+from situ_studio.assistive.announcing import announce
 from situ_studio.kinds import COMPONENTS, MIME
+from situ_studio.looks.theme import LIGHT, Theme
 from situ_studio.panels.preview import ScreenPreview
 from situ_studio.screens import accessible, keyboard, marks, placing
 from situ_studio.screens.devices import USUAL, Device
@@ -42,7 +43,6 @@ from situ_studio.screens.resting import Resting
 from situ_studio.screens.shown import Values
 from situ_studio.screens.telling import told_placed
 from situ_studio.screens.writing import Writing
-from situ_studio.theme import LIGHT, Theme
 
 
 class Sheet(ScreenPreview):

@@ -10,16 +10,18 @@ from PySide6.QtCore import QObject, QPoint, Signal
 
 from situ.document import rbd
 from situ.document.problem import Problem
-from situ_studio import button_names, kinds, places
-from situ_studio.edit import Place
-from situ_studio.insert import NotHere, insert
+from situ_studio import kinds
+from situ_studio.commands.insert import NotHere, insert
+from situ_studio.edits import places
+from situ_studio.edits.edit import Place
+from situ_studio.kinds import button_names
+from situ_studio.looks.theme import Theme
 from situ_studio.screens import placing
 from situ_studio.screens.devices import USUAL
 from situ_studio.screens.media_pictures import picture
 from situ_studio.screens.problem_marks import Told, by_screen
 from situ_studio.screens.sheet import Sheet
 from situ_studio.screens.shown import Values
-from situ_studio.theme import Theme
 
 
 def lying(made: rbd.Component, media: Path | None, at: tuple[float, float] | None) -> rbd.Component:
@@ -40,7 +42,7 @@ class StateScreen(QObject):
 
     While nothing is selected that has a screen, the one before is shown, at first the start's.
     media: the folder of the pictures, at the time of the call. It is a piece of a view
-    (``situ_studio.views``) but for the widget.
+    (``situ_studio.views.table``) but for the widget.
     """
 
     selection_changed = Signal(tuple)

@@ -35,13 +35,13 @@ from PySide6.QtWidgets import (
 )
 
 from situ.document import rbd
-from situ_studio import places, words
-from situ_studio.edit import Place
-from situ_studio.letters import px
+from situ_studio.edits import places, words
+from situ_studio.edits.edit import Place
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import CAPTION, Theme, font
 from situ_studio.screens.media_pictures import picture
 from situ_studio.screens.painting import paint_screen
 from situ_studio.screens.templates import TEMPLATE, read
-from situ_studio.theme import CAPTION, Theme, font
 
 WIDE, HIGH = 104, 84
 """Px of a state's place."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 from PySide6.QtCore import QMimeData, QPoint, QRect, QSize, Signal
 from PySide6.QtWidgets import QLabel, QLayout, QLayoutItem, QWidget
 
-from situ_studio.dragging import Dragging
-from situ_studio.icon_widgets import ThemedButton
-from situ_studio.layouts import clear
-from situ_studio.theme import Theme
+from situ_studio.looks.theme import Theme
+from situ_studio.widgets.dragging import Dragging
+from situ_studio.widgets.icon_widgets import ThemedButton
+from situ_studio.widgets.layouts import clear
 
 TAG = "application/x-situ-tag"
 """What a dragged chip carries: the tag; as plain text, the reference to it."""

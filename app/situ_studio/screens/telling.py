@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 
 from situ.document import rbd
-from situ_studio.language import tr
 from situ_studio.screens import marks, placing
 from situ_studio.screens.accessible import called
 from situ_studio.screens.devices import USUAL, Device
 from situ_studio.screens.placing import box_of
+from situ_studio.wording.language import tr
 
 SAME = 0.05
 """Percent of the screen: what lies apart by less lies level."""

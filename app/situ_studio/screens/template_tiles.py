@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QAbstractButton, QGridLayout, QMenu, QWidget
 from situ.document import rbd
 from situ_studio.canvas import thumbnails
 from situ_studio.canvas.style import Look
-from situ_studio.dragging import Dragging
-from situ_studio.layouts import clear
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import CAPTION, Theme, font
 from situ_studio.screens.templates import TEMPLATE, templates, title, written
-from situ_studio.theme import CAPTION, Theme, font
+from situ_studio.widgets.dragging import Dragging
+from situ_studio.widgets.layouts import clear
 
 HIGH = 74
 PICTURE = 54

@@ -9,9 +9,9 @@ from msgspec.structs import replace
 from situ.document import codec, rbd
 from situ.errors import UsageError
 from situ.resources import resource
-from situ_studio import places
-from situ_studio.edit import Place
-from situ_studio.language import tr
+from situ_studio.edits import places
+from situ_studio.edits.edit import Place
+from situ_studio.wording.language import tr
 
 FILE = ("screens", "templates.rbd.xml")
 TEMPLATE = "application/x-situ-template"

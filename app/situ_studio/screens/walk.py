@@ -9,10 +9,10 @@ from __future__ import annotations
 from situ.decide.intake import typed
 from situ.decide.values import template
 from situ.document import rbd
-from situ_studio import words
-from situ_studio.language import tr
+from situ_studio.edits import words
 from situ_studio.screens import samples
 from situ_studio.screens.shown import Values, board_of
+from situ_studio.wording.language import tr
 
 FAR = 200
 """Steps that can be gone back."""

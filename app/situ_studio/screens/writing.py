@@ -11,14 +11,14 @@ from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from situ.document import rbd
 from situ_studio import kinds
-from situ_studio.language import translated
+from situ_studio.looks.theme import FAMILIES, Theme
 from situ_studio.panels.fields import Paragraph
 from situ_studio.screens.component_painting import Stage, style_of
 from situ_studio.screens.measures import measures
 from situ_studio.screens.painting import layer
 from situ_studio.screens.placing import box_of
 from situ_studio.screens.shown import content
-from situ_studio.theme import FAMILIES, Theme
+from situ_studio.wording.language import translated
 
 if TYPE_CHECKING:
     from situ_studio.screens.sheet import Sheet

@@ -14,12 +14,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ_studio import icons
-from situ_studio.letters import enlarged, factor, px
+from situ_studio.looks import icons
+from situ_studio.looks.letters import enlarged, factor, px
+from situ_studio.looks.theme import Theme, face, font
 from situ_studio.panels.tag_completion import TagCompletion
 from situ_studio.texts.model import CELL, ICONS, ROW, STATE, WHAT, AnyIndex, TextsModel
 from situ_studio.texts.sheet import Cell, Standing
-from situ_studio.theme import Theme, face, font
 
 LINE = 18
 ONE_LINE = 30

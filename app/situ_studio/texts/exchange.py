@@ -13,11 +13,11 @@ from situ.document.texts_import import Imported, take_in
 from situ.document.texts_table import TextRow, begun, rows
 from situ.document.texts_update import update
 from situ.errors import UsageError
-from situ_studio.language import said
 from situ_studio.texts.model import language_name
+from situ_studio.wording.language import said
 
 if TYPE_CHECKING:
-    from situ_studio.window import MainWindow
+    from situ_studio.window.main_window import MainWindow
 
 
 class Exchange(QObject):

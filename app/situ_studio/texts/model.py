@@ -18,10 +18,11 @@ from PySide6.QtCore import (
 from situ.document import rbd
 from situ.document.projectfile import CODE
 from situ.document.texts_table import Kind, TextRow
-from situ_studio import kinds, places, words
-from situ_studio.language import translated
+from situ_studio import kinds
+from situ_studio.edits import places, words
 from situ_studio.panels.project_tree import stem
 from situ_studio.texts.sheet import Cell, Sheet, Typed
+from situ_studio.wording.language import translated
 
 AnyIndex = QModelIndex | QPersistentModelIndex
 STATE, WHAT, WRITTEN = 0, 1, 2

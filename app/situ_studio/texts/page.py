@@ -11,16 +11,16 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QMenu, QVBoxLayout
 
 from situ.document.catalogue import Catalogue
 from situ.document.project import Project
-from situ_studio.edit import Written
-from situ_studio.icon_widgets import IconButton
-from situ_studio.layouts import rule
-from situ_studio.letters import px
+from situ_studio.edits.edit import Written
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Flag
-from situ_studio.tabs import Segments
+from situ_studio.panels.tabs import Segments
 from situ_studio.texts.model import CELL, ROW, WRITTEN, Filter, language_name
 from situ_studio.texts.sheet import Cell, Refused, Sheet, Typed, changed, confirmed
 from situ_studio.texts.table import TextsTable
-from situ_studio.theme import Theme
+from situ_studio.widgets.icon_widgets import IconButton
+from situ_studio.widgets.layouts import rule
 
 
 class TextsPage(QWidget):

@@ -12,9 +12,9 @@ from situ.document import beside, catalogue, rbd
 from situ.document.catalogue import FUZZY, Catalogue, Translation
 from situ.document.project import Project
 from situ.document.texts_table import TextRow, begun, rows
-from situ_studio import places
-from situ_studio.edit import Written
-from situ_studio.language import tr
+from situ_studio.edits import places
+from situ_studio.edits.edit import Written
+from situ_studio.wording.language import tr
 
 Standing = Literal["written", "done", "missing", "unsure", "lacking", "as_is", "own"]
 """How a cell stands: the text as written; translated; not yet; somebody has to look at it first,

@@ -22,12 +22,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ_studio.letters import px
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme, font
 from situ_studio.matrix import clipboard
 from situ_studio.texts.cells import ONE_LINE, TextDelegate
 from situ_studio.texts.model import ROW, STATE, WRITTEN, TextsModel
 from situ_studio.texts.sheet import Typed
-from situ_studio.theme import Theme, font
 
 _KEYS = {
     QKeySequence.StandardKey.Copy: "copy",

@@ -27,12 +27,12 @@ from situ.document.rbd import (
     Text,
     Timeout,
 )
-from situ_studio import theme
 from situ_studio.canvas import figures
 from situ_studio.canvas.application import ApplicationCanvas
 from situ_studio.canvas.nodes import NodeFace, Spot
 from situ_studio.canvas.pipes import RoutedPipe
 from situ_studio.canvas.projection import Projector
+from situ_studio.looks import theme
 
 LEFT = Qt.MouseButton.LeftButton
 NONE = Qt.KeyboardModifier.NoModifier

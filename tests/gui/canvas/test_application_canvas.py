@@ -18,8 +18,8 @@ from PySide6.QtWidgets import QApplication
 from situ.document.aside import NOTHING
 from situ.document.problem import Problem
 from situ.document.rbd import Application, Event, State
-from situ_studio import theme
 from situ_studio.canvas.live import LiveView, Taken
+from situ_studio.looks import theme
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 Make = Callable[..., Any]

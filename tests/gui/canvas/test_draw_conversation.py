@@ -16,7 +16,7 @@ from tests.gui.drawing.draughtsman import Draughtsman
 from tests.gui.test_newcomer import CONTROL
 
 from situ.resources import example
-from situ_studio.dialogs import Dialogs
+from situ_studio.window.dialogs import Dialogs
 
 DATA = (
     ("transfer.phase", "text", ""),

@@ -10,7 +10,7 @@ from situ.document import drawing
 from situ.document.aside import Aside
 from situ.document.rbd import Always, Application, State
 from situ_studio.canvas.projection import identified
-from situ_studio.exchanged import draws_the_same, exchanged
+from situ_studio.edits.exchanged import draws_the_same, exchanged
 
 
 def test_it_is_told_what_stands_in_the_place_of_what() -> None:

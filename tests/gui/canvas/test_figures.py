@@ -14,12 +14,12 @@ from PySide6.QtWidgets import QApplication
 from situ.document import codec, drawing
 from situ.document.drawing import Frame, Note
 from situ.document.rbd import Application
-from situ_studio import theme
 from situ_studio.canvas import figures
 from situ_studio.canvas.figure_items import broken
 from situ_studio.canvas.note_editor import NoteEditor
 from situ_studio.canvas.overlay import InPlace
 from situ_studio.kinds import MIME
+from situ_studio.looks import theme
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 NONE = Qt.KeyboardModifier.NoModifier

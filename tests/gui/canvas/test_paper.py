@@ -13,7 +13,8 @@ from PySide6.QtWidgets import QApplication
 
 from situ.document import folder
 from situ.resources import example
-from situ_studio import main, picture
+from situ_studio import main
+from situ_studio.export import picture
 
 IGNORE = Qt.AspectRatioMode.IgnoreAspectRatio
 SMOOTH = Qt.TransformationMode.SmoothTransformation

@@ -12,10 +12,10 @@ from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
 from situ.document.rbd import Application
-from situ_studio import theme
 from situ_studio.canvas.live import LiveView
 from situ_studio.canvas.pictures import Pictures
 from situ_studio.canvas.style import Look
+from situ_studio.looks import theme
 
 Apart = Callable[[QImage, QImage], int]
 

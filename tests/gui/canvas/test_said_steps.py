@@ -11,9 +11,10 @@ from PySide6.QtWidgets import QApplication
 
 from situ.document.drawing import Frame, Note
 from situ.document.rbd import Application
-from situ_studio import copies, kinds
+from situ_studio import kinds
 from situ_studio.canvas import figures, gestures
-from situ_studio.insert import NotHere, insert
+from situ_studio.commands.insert import NotHere, insert
+from situ_studio.copying import copies
 
 EVENT = ("state", "1", "event", "0")
 

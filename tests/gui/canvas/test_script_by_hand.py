@@ -20,8 +20,8 @@ from situ.document.condition import Test as Question
 from situ.document.problem import Problem
 from situ.document.spds import DataType, Declaration, Entry, Observed, Situation, Spds
 from situ_studio.canvas.script import ScriptCanvas
+from situ_studio.edits.vocabulary import Vocabulary
 from situ_studio.panels.test_box import TestBox
-from situ_studio.vocabulary import Vocabulary
 
 ALT = Qt.KeyboardModifier.AltModifier
 CONTROL = Qt.KeyboardModifier.ControlModifier

@@ -13,11 +13,11 @@ from tests.gui.canvas.script_desk import TALK, agree, body, edit, holds, middle,
 from situ.document.condition import Test as Question
 from situ.document.problem import Problem
 from situ.document.spds import Entry, Situation, Spds
-from situ_studio import theme
 from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas.curves import InheritedPipe
 from situ_studio.canvas.live import LiveScript
 from situ_studio.canvas.script import ScriptCanvas
+from situ_studio.looks import theme
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 

@@ -19,9 +19,9 @@ from situ.document.condition import Test as Question
 from situ.document.modules import Module, Modules
 from situ.document.project import Project
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
-from situ_studio import script_copies as copies
 from situ_studio.canvas.script import ScriptCanvas
-from situ_studio.language import Speaking
+from situ_studio.copying import script_copies as copies
+from situ_studio.wording.language import Speaking
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 

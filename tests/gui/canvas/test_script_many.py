@@ -14,7 +14,7 @@ from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
 from situ_studio.canvas import script_gestures as gestures
 from situ_studio.canvas.paper import Paper
 from situ_studio.canvas.script import ScriptCanvas
-from situ_studio.theme import LIGHT
+from situ_studio.looks.theme import LIGHT
 
 MANY = 70
 

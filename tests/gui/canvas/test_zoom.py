@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from situ.document.rbd import Application
-from situ_studio import theme
+from situ_studio.looks import theme
 
 Make = Callable[..., Any]
 

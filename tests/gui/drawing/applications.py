@@ -14,9 +14,9 @@ from situ.document import rbd
 from situ.document.datatypes import write_number
 from situ.document.drawing import Frame, Note, drawn
 from situ_studio import kinds
+from situ_studio.edits.notes import note_of
 from situ_studio.kinds import Field, Kind
 from situ_studio.kinds.application import COLORS
-from situ_studio.notes import note_of
 from situ_studio.screens.media_picker import MediaPicker, names_data
 from situ_studio.screens.media_rows import IMPORT, KEY
 

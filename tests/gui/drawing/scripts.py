@@ -10,8 +10,8 @@ from tests.gui.drawing.conditions import ConditionFiller
 from situ.document.condition import Condition
 from situ.document.datatypes import write_number
 from situ.document.spds import Declaration, Entry, Observed, Situation, Spds
+from situ_studio.edits.notes import note_of
 from situ_studio.kinds import TYPES
-from situ_studio.notes import note_of
 
 
 class ScriptDrawer(ConditionFiller):

@@ -16,8 +16,8 @@ from tests.gui.test_newcomer import CONTROL
 from situ.document.condition import Condition
 from situ.document.condition import Test as Question
 from situ.document.rbd import Timeout
-from situ_studio import places
-from situ_studio.notes import note_of
+from situ_studio.edits import places
+from situ_studio.edits.notes import note_of
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]

@@ -21,7 +21,7 @@ from tests.gui.test_newcomer import CONTROL
 from situ.document import folder
 from situ.document.project import Project
 from situ.resources import example
-from situ_studio.dialogs import Dialogs
+from situ_studio.window.dialogs import Dialogs
 
 Start = Callable[..., Any]
 Hand = Callable[[str], tuple[ProjectDrawer, Project]]

@@ -12,7 +12,7 @@ from tests.gui.test_newcomer import CONTROL
 
 from situ.document.modules import Module, Modules, Provides
 from situ.document.spds import Entry
-from situ_studio.notes import note_of
+from situ_studio.edits.notes import note_of
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]

@@ -12,9 +12,9 @@ from tests.gui.live.test_timeline import shown
 
 from situ.document.names import RESERVED_ROOTS
 from situ_studio.live.moment import Entry, Moment
+from situ_studio.looks.theme import LIGHT
+from situ_studio.looks.theme_qss import qss
 from situ_studio.panels.blackboard import Blackboard
-from situ_studio.theme import LIGHT
-from situ_studio.theme_qss import qss
 
 
 def test_the_projects_own_data_stands_before_what_the_runtime_keeps(

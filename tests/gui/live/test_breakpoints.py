@@ -18,12 +18,12 @@ from situ.document.condition import Test as One
 from situ.document.export import deployable, without_editor
 from situ.document.rbd import Event
 from situ.document.ready import load_ready
+from situ_studio.edits.vocabulary import Vocabulary
 from situ_studio.live.breaking import MOST, KeptBreakpoints, everywhere, points_at
 from situ_studio.live.breakpoints import Breakpoints
 from situ_studio.live.setting_dialog import Setting
+from situ_studio.looks.theme import LIGHT
 from situ_studio.panels.conditions import GroupBox
-from situ_studio.theme import LIGHT
-from situ_studio.vocabulary import Vocabulary
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 FLOW, PART = "reception.rbd.xml", "register.rbd.xml"

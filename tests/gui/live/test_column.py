@@ -18,14 +18,14 @@ from tests.gui.live.test_recordings import opened, until_shown
 import situ
 from situ.document import condition
 from situ.document.spds import Observed, Situation, Spds
-from situ_studio.letters import px
 from situ_studio.live import column_list
 from situ_studio.live.column import MomentColumn
 from situ_studio.live.column_list import EDGE, ROW, ColumnDelegate
 from situ_studio.live.column_rows import ColumnRow, PartTold, Telling
 from situ_studio.live.column_words import Lettering
 from situ_studio.live.moment import Entry, Moment
-from situ_studio.theme import CAPTION, LABEL
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import CAPTION, LABEL
 
 LEFT = Qt.MouseButton.LeftButton
 DRAWING = ("project", "outline", "palette")

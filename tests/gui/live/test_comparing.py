@@ -28,7 +28,7 @@ from situ_studio.live.timeline.beside import LETTERS
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks, beside
 from situ_studio.live.timeline.painting import GUTTER
 from situ_studio.live.viewing import Viewing
-from situ_studio.theme import LIGHT
+from situ_studio.looks.theme import LIGHT
 
 LEFT = Qt.MouseButton.LeftButton
 

@@ -21,10 +21,10 @@ from situ.blackboard import keys
 from situ.blackboard.announced import Announced, fingerprint
 from situ.blackboard.keys import RobotKey, new_pair
 from situ.engine.announcing import Announcement, Announcing
-from situ_studio.dialogs import Dialogs
 from situ_studio.live.connecting_dialog import Chosen, ConnectDialog
 from situ_studio.live.nearby import Found, NearbyRobots
-from situ_studio.theme import LIGHT
+from situ_studio.looks.theme import LIGHT
+from situ_studio.window.dialogs import Dialogs
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier

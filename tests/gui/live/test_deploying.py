@@ -14,7 +14,7 @@ from situ.blackboard.replies import Turn, Turns
 from situ_studio.live.deploying import Deploying
 from situ_studio.live.deploying_dialog import DeployDialog
 from situ_studio.live.link import RobotLink
-from situ_studio.theme import LIGHT
+from situ_studio.looks.theme import LIGHT
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 

@@ -20,11 +20,11 @@ from tests.gui.live.test_recordings import PATIENCE, recording
 from situ.document.ready import load_ready
 from situ.rehearse.usage import Row
 from situ.resources import examples
-from situ_studio.lasting import lasting
 from situ_studio.live.field import Asked, Field, counted, painted, recordings_in, whole
 from situ_studio.live.field_reading import FieldReading
 from situ_studio.live.field_rows import by_column, cells
 from situ_studio.live.log import TraceLog
+from situ_studio.wording.lasting import lasting
 
 LEFT = Qt.MouseButton.LeftButton
 WALKED, KNOWN = "walked-away.jsonl", "known-user.jsonl"

@@ -16,8 +16,8 @@ from tests.gui.live.test_recordings import opened
 from situ.document.project import Project
 from situ_studio.live.log import TraceLog
 from situ_studio.live.views import live_part, live_view, runs_of
+from situ_studio.looks.theme import LIGHT
 from situ_studio.panels.table import Row, RowsTable
-from situ_studio.theme import LIGHT
 
 NAME, DESCRIPTION = QAccessible.Text.Name, QAccessible.Text.Description
 PART = "register.rbd.xml"

@@ -15,9 +15,9 @@ from tests.gui.live.test_link import connect
 from tests.gui.live.test_recordings import opened
 
 import situ
-from situ_studio.letters import px
 from situ_studio.live.link_status import OVER, Rate
-from situ_studio.status import SLACK
+from situ_studio.looks.letters import px
+from situ_studio.window.status import SLACK
 
 
 def test_events_are_counted_over_the_last_seconds_alone() -> None:

@@ -14,10 +14,10 @@ from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QWidget
 from tests.gui.live.test_operating import connect, kinds
 
 from situ.decide.expected import Expectation, ExpectedEvent
-from situ_studio.dialogs import Dialogs
+from situ_studio.edits.vocabulary import Vocabulary
 from situ_studio.live.raising_dialog import Offer, RaisingDialog, offers
 from situ_studio.live.setting_dialog import Setting, SettingDialog, value_of
-from situ_studio.vocabulary import Vocabulary
+from situ_studio.window.dialogs import Dialogs
 
 LEFT = Qt.MouseButton.LeftButton
 KNOWN = Vocabulary(

@@ -23,8 +23,8 @@ from situ_studio.live.timeline.drawn import blocks
 from situ_studio.live.timeline.painting import NAMED
 from situ_studio.live.timeline.panel import Timeline
 from situ_studio.live.viewing import Viewing
-from situ_studio.theme import LIGHT
-from situ_studio.value_words import number
+from situ_studio.looks.theme import LIGHT
+from situ_studio.wording.value_words import number
 
 STATES = ("7", "8")
 

@@ -16,9 +16,9 @@ from tests.gui.live.test_timeline import shown
 from situ_studio.live.log import KINDS, TraceLog
 from situ_studio.live.recordings import Recording
 from situ_studio.live.viewing import Viewing
+from situ_studio.looks.theme import LIGHT
 from situ_studio.panels.trace import CAUSE, Trace, kind_words
 from situ_studio.panels.trace_kinds import GROUPS
-from situ_studio.theme import LIGHT
 
 FONT = Qt.ItemDataRole.FontRole
 

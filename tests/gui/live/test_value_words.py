@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from situ_studio.value_words import LINES, value_lines, value_words, with_unit
+from situ_studio.wording.value_words import LINES, value_lines, value_words, with_unit
 
 SCALARS = st.none() | st.booleans() | st.integers(-99, 99) | st.text("abc", max_size=3)
 VALUES = st.recursive(

@@ -15,10 +15,10 @@ from situ.document.check import check
 from situ.document.project import Project
 from situ.document.spds import Spds
 from situ.resources import example
-from situ_studio import theme
+from situ_studio.looks import theme
 from situ_studio.matrix.table import Area
 from situ_studio.matrix.view import MatrixView
-from situ_studio.views import Setting
+from situ_studio.views.table import Setting
 
 NONE = Qt.KeyboardModifier.NoModifier
 LEFT = Qt.MouseButton.LeftButton

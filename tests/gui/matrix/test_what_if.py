@@ -13,8 +13,8 @@ from tests.gui.matrix.conftest import TIED, Desk, read
 
 from situ.document.project import Project
 from situ_studio.canvas.live import LiveScript
+from situ_studio.looks.theme import FAMILY
 from situ_studio.matrix.chips import Chip
-from situ_studio.theme import FAMILY
 
 Make = Callable[..., Desk]
 DOWN = Qt.Orientation.Vertical

@@ -14,10 +14,10 @@ from situ.decide import inputs
 from situ.decide.step import SECOND
 from situ.rehearse.scenario import load
 from situ.rehearse.suite import play
+from situ_studio.looks.theme import LIGHT
 from situ_studio.rehearsing.robot_screen import RobotScreen
 from situ_studio.rehearsing.saving import SavingScenario
 from situ_studio.screens.shown import Content
-from situ_studio.theme import LIGHT
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 

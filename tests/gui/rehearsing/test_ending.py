@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from situ_studio.projects import new_project
+from situ_studio.project.projects import new_project
 from situ_studio.rehearsing.saving import SavingScenario
 
 

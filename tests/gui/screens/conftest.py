@@ -16,9 +16,9 @@ from situ.document import codec
 from situ.document.rbd import Application
 from situ.resources import example
 from situ_studio.kinds import MIME
+from situ_studio.looks.theme import LIGHT
 from situ_studio.screens.sheet import Sheet
 from situ_studio.screens.state_screen import StateScreen
-from situ_studio.theme import LIGHT
 
 LEFT = Qt.MouseButton.LeftButton
 NONE = Qt.KeyboardModifier.NoModifier

@@ -24,7 +24,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QLineEdit, QWidget
 
 from situ.document import folder, rbd
-from situ_studio import places
+from situ_studio.edits import places
+from situ_studio.looks.theme import LIGHT
 from situ_studio.screens import placing
 from situ_studio.screens.designer import Designer
 from situ_studio.screens.devices import DEVICES
@@ -34,7 +35,6 @@ from situ_studio.screens.sample_popup import SamplePopup
 from situ_studio.screens.shown import Content, content
 from situ_studio.screens.tag_chips import dragged
 from situ_studio.screens.template_tiles import dragged as dragged_template
-from situ_studio.theme import LIGHT
 
 LEFT = Qt.MouseButton.LeftButton
 ALT = Qt.KeyboardModifier.AltModifier

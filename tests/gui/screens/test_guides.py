@@ -20,9 +20,9 @@ from situ.document.aside import NOTHING
 from situ.document.export import deployable
 from situ.document.folder import load
 from situ.document.rbd import Application
+from situ_studio.looks.theme import LIGHT
 from situ_studio.screens import guides
 from situ_studio.screens.guides import Guide
-from situ_studio.theme import LIGHT
 
 Start = Callable[..., Any]
 Copy = Callable[[str], Path]

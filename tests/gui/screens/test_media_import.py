@@ -15,12 +15,12 @@ from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.engine.screen.server import _MEDIA_TYPES
 from situ.errors import UsageError
+from situ_studio.edits.vocabulary import Lexicon
+from situ_studio.looks.theme import LIGHT
 from situ_studio.panels.subject import Subject
 from situ_studio.screens import media_import, media_pictures
 from situ_studio.screens.media_import import bring, free_name
-from situ_studio.theme import LIGHT
-from situ_studio.views import Setting
-from situ_studio.vocabulary import Lexicon
+from situ_studio.views.table import Setting
 
 
 @pytest.fixture

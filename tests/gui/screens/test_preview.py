@@ -11,9 +11,9 @@ from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
 from situ.document import rbd
+from situ_studio.looks.theme import LIGHT
 from situ_studio.panels.preview import ScreenPreview
 from situ_studio.screens.painting import paint_screen
-from situ_studio.theme import LIGHT
 
 PICTURE = rbd.Image(id="i", x=0, y=0, width=100, height=100, src="p.png")
 

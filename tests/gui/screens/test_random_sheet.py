@@ -13,7 +13,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from situ.document import codec
-from situ_studio import kinds, places
+from situ_studio import kinds
+from situ_studio.edits import places
 from situ_studio.screens import copies, ordering
 from situ_studio.screens.placing import HANDLES
 

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from situ_studio import places
+from situ_studio.edits import places
 from situ_studio.screens import marks
 from situ_studio.screens.devices import DEVICES
 from situ_studio.screens.hand import Hand

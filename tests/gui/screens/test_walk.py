@@ -15,11 +15,11 @@ from PySide6.QtWidgets import QApplication, QMenu
 from situ.document import folder, rbd
 from situ.document.condition import Condition
 from situ.document.condition import Test as DataTest
+from situ_studio.looks.theme import LIGHT
 from situ_studio.screens.devices import DEVICES
 from situ_studio.screens.preview_window import PreviewWindow
 from situ_studio.screens.shown import Values, content
 from situ_studio.screens.walk import Walk
-from situ_studio.theme import LIGHT
 
 LEFT = Qt.MouseButton.LeftButton
 BOX: Any = {"x": 10, "y": 10, "width": 20, "height": 20}

@@ -18,7 +18,7 @@ from tests.gui.test_newcomer import situ
 from tests.gui.tutorial.pupil import Pupil
 from tests.gui.tutorial.steps import STEPS
 
-from situ_studio.dialogs import Dialogs
+from situ_studio.window.dialogs import Dialogs
 
 DOCS = Path(__file__).resolve().parents[3] / "docs"
 ANEW = bool(os.environ.get("SITU_PICTURES"))

@@ -10,13 +10,13 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen, QPolygonF
 
 from situ.rehearse.comparing import Difference, Stretch
-from situ_studio.letters import px
 from situ_studio.live.log import TraceLog
 from situ_studio.live.timeline.axis import TimeAxis
 from situ_studio.live.timeline.bookmarks import Bookmark
 from situ_studio.live.timeline.painting import GUTTER, RowPainter, StateName
 from situ_studio.live.timeline.rows import TimelineRow
-from situ_studio.theme import CAPTION, Theme, font
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import CAPTION, Theme, font
 
 LETTERS = "ABCDEFGH"
 """What the runs are called in the drawing; A is the one whose moment all views show."""

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 
 from situ.document import folder
 from situ.errors import UsageError
-from situ_studio.language import tr
+from situ_studio.wording.language import tr
 
 ENDING = ".bookmarks.json"
 

@@ -14,16 +14,16 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip
 
-from situ_studio.announcing import announce
-from situ_studio.focus_ring import paint_ring
-from situ_studio.heard_as import hear_as
-from situ_studio.letters import px
+from situ_studio.assistive.announcing import announce
+from situ_studio.assistive.heard_as import hear_as
 from situ_studio.live.timeline.bookmarks import Bookmarks
 from situ_studio.live.timeline.drawing import TimelineDrawing
 from situ_studio.live.timeline.painting import EDGE, GUTTER, StateName
 from situ_studio.live.timeline.telling import told_moment
 from situ_studio.live.viewing import Viewing
-from situ_studio.theme import Theme
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
+from situ_studio.widgets.focus_ring import paint_ring
 
 NEAR = 4
 """Px within which a hand is on the cursor, or has not moved."""

@@ -7,15 +7,15 @@ from collections.abc import Sequence
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPen
 
-from situ_studio.language import tr
-from situ_studio.letters import px
 from situ_studio.live.lanes import Series
 from situ_studio.live.timeline.axis import TimeAxis
 from situ_studio.live.timeline.painting import EDGE, GUTTER
 from situ_studio.live.timeline.rows import TimelineRow
 from situ_studio.live.viewing import Viewing
-from situ_studio.theme import CAPTION, Theme, font
-from situ_studio.value_words import number
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import CAPTION, Theme, font
+from situ_studio.wording.language import tr
+from situ_studio.wording.value_words import number
 
 Placed = tuple[TimelineRow, float, float]
 """A row, where its upper edge is, and how many seconds the clock of its run is ahead of ours."""

@@ -17,9 +17,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAbstractScrollArea
 
-from situ_studio import icons
-from situ_studio.language import tr
-from situ_studio.letters import px
 from situ_studio.live.lanes import Lane, Series
 from situ_studio.live.log import Gap
 from situ_studio.live.timeline import gaps
@@ -39,7 +36,10 @@ from situ_studio.live.timeline.drawn import blocks
 from situ_studio.live.timeline.painting import EDGE, GUTTER, NARROW, RowPainter, StateName
 from situ_studio.live.timeline.rows import TimelineRow, rows_of
 from situ_studio.live.viewing import Viewing
-from situ_studio.theme import CAPTION, LABEL, Theme, font
+from situ_studio.looks import icons
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import CAPTION, LABEL, Theme, font
+from situ_studio.wording.language import tr
 
 FRAME = 33
 """Milliseconds between two looks at a log that goes on."""

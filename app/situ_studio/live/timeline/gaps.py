@@ -7,12 +7,12 @@ from collections.abc import Iterable
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QBrush, QFontMetricsF, QPainter, QPen
 
-from situ_studio.language import tr
-from situ_studio.letters import px
 from situ_studio.live.log import Gap
 from situ_studio.live.timeline.axis import TimeAxis
 from situ_studio.live.timeline.painting import GUTTER
-from situ_studio.theme import CAPTION, Theme, font
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import CAPTION, Theme, font
+from situ_studio.wording.language import tr
 
 LEAST = 3.0
 """Px that a gap has at least, however short it is."""

@@ -8,15 +8,15 @@ from typing import cast
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QFontMetrics, QFontMetricsF, QPainter, QPen
 
-from situ_studio import icons
-from situ_studio.language import tr
-from situ_studio.letters import px
 from situ_studio.live.lanes import NAN, Lane, Series
 from situ_studio.live.timeline.axis import TimeAxis
 from situ_studio.live.timeline.drawn import Block, Extremes, Strokes, blocks
 from situ_studio.live.timeline.rows import RowKind, TimelineRow
-from situ_studio.theme import CAPTION, LABEL, Theme, font
-from situ_studio.value_words import number
+from situ_studio.looks import icons
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import CAPTION, LABEL, Theme, font
+from situ_studio.wording.language import tr
+from situ_studio.wording.value_words import number
 
 EDGE = 24
 """Px of the strip at the top with the time."""

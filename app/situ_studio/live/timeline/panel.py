@@ -5,16 +5,16 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
 
-from situ_studio.icon_widgets import IconButton, retheme
-from situ_studio.language import tr
-from situ_studio.lasting import lasting
-from situ_studio.letters import px
 from situ_studio.live.timeline.bookmarks import Bookmarks
 from situ_studio.live.timeline.chart import ZOOM, TimelineChart
 from situ_studio.live.timeline.marking import Ask, Marking
 from situ_studio.live.timeline.painting import StateName
 from situ_studio.live.viewing import Viewing
-from situ_studio.theme import Theme
+from situ_studio.looks.letters import px
+from situ_studio.looks.theme import Theme
+from situ_studio.widgets.icon_widgets import IconButton, retheme
+from situ_studio.wording.language import tr
+from situ_studio.wording.lasting import lasting
 
 
 class Timeline(QWidget):

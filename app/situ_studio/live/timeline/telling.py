@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from situ_studio.language import tr
 from situ_studio.live.lanes import Lane
 from situ_studio.live.timeline.bookmarks import Bookmark
 from situ_studio.live.timeline.painting import StateName
 from situ_studio.live.timeline.rows import TimelineRow
+from situ_studio.wording.language import tr
 
 
 def told_moment(

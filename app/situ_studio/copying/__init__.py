@@ -1,0 +1,1 @@
+"""Copy and paste, within a document, from one to another and from project to project."""

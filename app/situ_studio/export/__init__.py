@@ -1,0 +1,1 @@
+"""Drawings outside of the window: as SVG, PDF and PNG, and on paper."""

@@ -1,0 +1,1 @@
+"""A project's files on disk: opened, saved, kept for recovery, renamed, changed by others."""

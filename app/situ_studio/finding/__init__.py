@@ -1,0 +1,1 @@
+"""Finding: commands and anything by Ctrl+K, in the whole project by Ctrl+F."""

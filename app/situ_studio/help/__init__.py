@@ -1,0 +1,1 @@
+"""The help: its texts, its window, F1, and the tutorial."""

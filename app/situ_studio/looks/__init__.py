@@ -1,0 +1,1 @@
+"""How everything looks: the theme's tokens and style sheet, icons, letters."""

@@ -1,0 +1,1 @@
+"""A project's problems: found, told, gone to and mended."""

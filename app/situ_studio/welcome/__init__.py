@@ -1,0 +1,1 @@
+"""The welcome page: what one can start with, and what was used lately."""

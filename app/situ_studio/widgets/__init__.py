@@ -1,0 +1,1 @@
+"""Small widgets that any panel, page or dialog is made of."""
