@@ -19,6 +19,7 @@ from situ_studio.project.contents import Contents
 from situ_studio.project.folder_watch import FolderWatch
 
 FILE = "reception.rbd.xml"
+SCENARIO = "scenarios/known-user.jsonl"
 FR = """msgid ""
 msgstr ""
 "Content-Type: text/plain; charset=UTF-8\\n"
@@ -30,7 +31,15 @@ Opened = tuple[Contents, list[str]]
 
 
 @pytest.fixture
-def opened(qt: QApplication, project: Callable[[str], Path]) -> Iterator[Opened]:
+def disk(qt: QApplication) -> Iterator[FolderWatch]:
+    window = QObject()
+    yield FolderWatch(window)
+    # What looks at the folder goes with the window.
+    del window
+
+
+@pytest.fixture
+def opened(disk: FolderWatch, project: Callable[[str], Path]) -> Opened:
     """The example reception, and which files beside its documents were taken from disk."""
     found, _ = folder.load(project("reception"))
     assert found is not None
@@ -40,14 +49,10 @@ def opened(qt: QApplication, project: Callable[[str], Path]) -> Iterator[Opened]
         if after is not before:
             taken.append(file)
 
-    window = QObject()
-    disk = FolderWatch(window)
     contents = Contents(found, disk, on_taken)
     disk.begin(contents.root, contents.files, beside.files(found))
     contents.read_beside()
-    yield contents, taken
-    # What looks at the folder goes with the window.
-    del window
+    return contents, taken
 
 
 def longer(contents: Contents) -> Application:
@@ -138,6 +143,20 @@ def test_the_texts_of_a_language_that_is_not_saved_yet_are_read_anew_too(opened:
     contents.read_beside(kept=contents.changed)
     assert contents.project.texts["fr"] == {"Home": "Retour"}
     assert contents.changed == [PROJECT_FILE]
+
+
+def test_a_scenario_that_is_a_value_here_is_looked_at_on_disk_whatever_was_read_anew_beside_it(
+    opened: Opened, disk: FolderWatch
+) -> None:
+    contents, _ = opened
+    told: list[str] = []
+    disk.changed.connect(told.append)
+    contents.attend([SCENARIO])
+    contents.read_beside()
+    path = contents.root / SCENARIO
+    path.write_text(path.read_text() + "\n")
+    disk.look()
+    assert told == [SCENARIO]
 
 
 def test_the_project_has_the_name_that_its_settings_say(opened: Opened) -> None:

@@ -165,7 +165,7 @@ class Contents:
         if self.project.languages != before.languages:
             # A language that came may have had texts here before.
             wanted = beside.files(self.project)
-            self._disk.attend(self.files, wanted)
+            self._attend_to(wanted)
             for other in wanted:
                 if other not in self.beside and other not in beside.files(before):
                     self._take_beside(other)
@@ -214,13 +214,17 @@ class Contents:
             # First of all for its languages, whose texts are read here too.
             self.project = beside.settled(self.project, stay)
         found = beside.files(self.project)
-        self._disk.attend(self.files, found)
+        self._attend_to(found)
         for file in found:
             if file not in stay:
                 self._take_beside(file)
         if stay:
             self._settle()
         self.texts = {f: self._disk.read(f) for f in found if not self._disk.is_missing(f)}
+
+    def _attend_to(self, found: Iterable[str]) -> None:
+        # A scenario that is a value here is looked at on disk like a document.
+        self._disk.attend([*self.files, *self._scenarios], found)
 
     def _take_beside(self, file: str) -> None:
         """The value here stays the very object where it is equal."""
