@@ -44,15 +44,14 @@ export class Data {
 
   #row(datum) {
     const { visit } = this;
-    const made = field({ ...datum, tag: `data ${datum.tag}` });
+    const made = field({ ...datum, tag: `data ${datum.tag}` }, visit);
     const form = element("form", `datum ${datum.type}`);
     form.noValidate = true;
     form.dataset.tag = datum.tag;
     const title = element(made.field ? "label" : "p", "label", form);
-    title.textContent = (datum.label || datum.tag) + (datum.unit ? ` (${datum.unit})` : "");
-    title.id = `name of ${datum.tag}`;
+    title.id = `name-of-${datum.tag}`;
     if (made.field) {
-      made.field.id = `value of ${datum.tag}`;
+      made.field.id = `value-of-${datum.tag}`;
       title.htmlFor = made.field.id;
     } else {
       made.node.setAttribute("aria-labelledby", title.id);
@@ -67,7 +66,7 @@ export class Data {
     let value = null;
     let dirty = false;
 
-    const says = () => { note.textContent = value === null ? visit.words.unset : visit.say("now", { value: told(value) }); };
+    const says = () => { note.textContent = value === null ? visit.words.unset : visit.say("now", { value: made.told(value) }); };
     const put = async () => {
       const { value: filled, wrong } = made.read();
       if (wrong) {
@@ -91,6 +90,8 @@ export class Data {
         says();
       },
       speak() {
+        title.textContent = (datum.label ? visit.text(datum.label) : datum.tag) + (datum.unit ? ` (${datum.unit})` : "");
+        made.speak();
         if (set) set.textContent = visit.words.set;
         speak();
         says();

@@ -2,6 +2,7 @@
 // `read` gives {value}, null where it was left empty, or {wrong: a word's key}.
 
 import { isDay } from "./dates.js";
+import { element } from "./element.js";
 
 const TIME = /^([01]\d|2[0-3]):[0-5]\d$/;
 const NUMBER = /^[+-]?(\d+([.,]\d*)?|[.,]\d+)$/;
@@ -58,29 +59,31 @@ const makers = {
       read: () => ({ value: node.checked }),
     };
   },
-  choice({ choices, tag }) {
+  choice({ choices, tag }, visit) {
     const node = document.createElement("div");
     node.className = "choices";
     node.setAttribute("role", "radiogroup");
     const radios = choices.map((choice) => {
       const label = node.appendChild(document.createElement("label"));
       const radio = label.appendChild(input("radio", { name: tag, value: choice }));
-      label.append(choice);
-      return radio;
+      return { radio, shown: element("span", "", label) };
     });
     return {
       node,
       field: null,
       atOnce: true,
-      put(value) { for (const one of radios) one.checked = one.value === value; },
+      put(value) { for (const { radio } of radios) radio.checked = radio.value === value; },
       fits: (value) => value === null || choices.includes(value),
-      read: () => ({ value: radios.find((one) => one.checked)?.value ?? null }),
+      read: () => ({ value: radios.find(({ radio }) => radio.checked)?.radio.value ?? null }),
+      speak() { for (const { radio, shown } of radios) shown.textContent = visit.text(radio.value); },
+      told: (value) => (choices.includes(value) ? visit.text(value) : told(value)),
     };
   },
 };
 
-export function field(form) {
-  const made = makers[form.type](form);
+// speak(): the visit's language is another one; told(value): the value as people read it there.
+export function field(form, visit) {
+  const made = { speak() {}, told, ...makers[form.type](form, visit) };
   made.node.dataset.kind = form.type;
   return made;
 }

@@ -1,7 +1,7 @@
 // Settings that end users change: a form for each, with what stands at its tag now.
 
 import { element } from "./element.js";
-import { field, told } from "./fields.js";
+import { field } from "./fields.js";
 import { Visit } from "./visit.js";
 
 const WORDS = {
@@ -57,12 +57,11 @@ function who(writer) {
 }
 
 function card(form, number) {
-  const made = field(form);
+  const made = field(form, visit);
   const node = element("form", `card setting ${form.type}`);
   node.noValidate = true;
   node.dataset.tag = form.tag;
   const title = element(made.field ? "label" : "p", made.field ? "" : "label", node);
-  title.textContent = form.label || form.tag;
   title.id = `title-${number}`;
   if (made.field) {
     made.field.id = `field-${number}`;
@@ -94,7 +93,7 @@ function card(form, number) {
     made.field?.setAttribute("aria-invalid", String(is === "wrong"));
   };
   const plain = () => {
-    const text = () => (!made.fits(value) ? visit.say("unfit", { value: told(value) }) : value === null ? visit.words.unset : "");
+    const text = () => (!made.fits(value) ? visit.say("unfit", { value: made.told(value) }) : value === null ? visit.words.unset : "");
     tell(made.fits(value) ? "" : "wrong", text);
   };
   const touch = (now) => {
@@ -159,6 +158,8 @@ function card(form, number) {
   return {
     node,
     speak() {
+      title.textContent = form.label ? visit.text(form.label) : form.tag;
+      made.speak();
       save.textContent = visit.words.save;
       cancel.textContent = visit.words.cancel;
       note.textContent = saying();
@@ -180,8 +181,8 @@ function card(form, number) {
         const mine = made.read();
         seen = visit.board.version(form.tag);
         if (!mine.wrong && JSON.stringify(mine.value) === JSON.stringify(value)) return;
-        const by = { value: told(value), who: who(entry.writer) };
-        tell("changed", () => visit.say(entry.value === null ? "cleared" : "changed", by));
+        const { value: theirs, writer } = entry;
+        tell("changed", () => visit.say(theirs === null ? "cleared" : "changed", { value: made.told(theirs), who: who(writer) }));
         return;
       }
       settle();

@@ -33,6 +33,8 @@ export class Visit {
   writes = false;
   #language = navigator.language;
   #known = true; // whether the robot knows the token
+  #texts = {}; // by language, what is written in the project's settings to its translation
+  #asked = null; // the language in which the robot's screen shows texts; null: as they are written
 
   constructor(page) {
     this.page = page;
@@ -56,6 +58,11 @@ export class Visit {
     return this.words[name].replace(/\{(\w+)\}/g, (_, part) => parts[part]);
   }
 
+  // What is written in the project's settings, as the robot's screen would show it.
+  text(written) {
+    return this.#texts[this.#asked]?.[written] ?? written;
+  }
+
   async start() {
     this.board?.close();
     this.board = null;
@@ -71,6 +78,7 @@ export class Visit {
       }
     }
     this.#known = told !== null;
+    this.#texts = told?.texts ?? {};
     node("enter").hidden = this.#known;
     node("leave").hidden = !this.#known || !token();
     this.connected = null;
@@ -83,7 +91,9 @@ export class Visit {
     this.board = new Board(told.keyed ? null : this.page.user, [...new Set([...patterns, LANGUAGE])], {
       entry: (tag, entry) => {
         this.page.entry(tag, entry);
-        if (tag === LANGUAGE) this.#speak(entry.value ?? "en");
+        if (tag !== LANGUAGE) return;
+        this.#asked = entry.value;
+        this.#speak(entry.value ?? "en");
       },
       open: (welcome) => {
         this.connected = true;

@@ -243,6 +243,7 @@ def before(theatre: Theatre, tmp_path: Path) -> Callable[..., None]:
         **window: Any,
     ) -> None:
         for name, text in files.items():
+            (tmp_path / name).parent.mkdir(exist_ok=True)
             (tmp_path / name).write_text(text)
 
         async def whole() -> None:

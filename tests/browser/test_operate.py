@@ -217,6 +217,23 @@ def test_a_viewer_is_shown_nothing_private(operate: Operate, keys: RobotKeys) ->
 # -- data by their types ---------------------------------------------------------------
 
 
+def test_data_of_settings_are_named_in_the_language_of_the_robots_screen(operate: Operate) -> None:
+    files = WARD | {
+        "situ.toml": WARD["situ.toml"]
+        .replace('tag = "voice"', 'tag = "voice"\nlabel = "Voice"')
+        .replace("[project]", '[project]\nlanguages = ["en", "ja"]'),
+        "texts/ja.po": 'msgid "Voice"\nmsgstr "声"\n\nmsgid "high"\nmsgstr "高い"\n',
+    }
+
+    async def scene(page: Page, board: AsyncBoard) -> None:
+        await board.set({"language": "ja", "voice": "high"})
+        voice = page.get_by_role("radiogroup", name="声", exact=True)
+        await expect(voice.get_by_role("radio", name="高い")).to_be_checked()
+        await expect(note(page, "voice")).to_have_text("現在：高い")
+
+    operate(scene, files)
+
+
 def test_data_are_filled_in_by_their_types(operate: Operate) -> None:
     async def scene(page: Page, board: AsyncBoard) -> None:
         await page.get_by_label("face.visible").click()

@@ -36,6 +36,15 @@ tags = ["ward.*"]
     f'[[setting]]\ntag = "{tag}"\nlabel = "{label}"\n{more}\n'
     for tag, (label, more) in FORMS.items()
 )
+JAPANESE = "".join(
+    f'msgid "{written}"\nmsgstr "{said}"\n\n'
+    for written, said in (
+        ("Morning round", "朝の巡回"),
+        ("Voice", "声"),
+        ("soft", "小さい声"),
+        ("normal", "普通の声"),
+    )
+)
 REST = '<application name="rest"><state no="1" final="true"/></application>'
 
 
@@ -66,11 +75,13 @@ Visit = Callable[..., None]
 
 @pytest.fixture
 def visit(before: Any) -> Visit:
-    """Opens the page: ``visit(scenario)``; more as in ``before``."""
+    """Opens the page: ``visit(scenario)``; own: files of the project beside the ward's, or in
+    their place; more as in ``before``."""
     files = {"situ.toml": PROJECT, "rest.rbd.xml": REST}
 
-    def run(scenario: Scenario, **more: Any) -> None:
-        before("settings", files, lambda page, board: scenario(Ward(page, board)), **more)
+    def run(scenario: Scenario, own: dict[str, str] | None = None, **more: Any) -> None:
+        every = files | (own or {})
+        before("settings", every, lambda page, board: scenario(Ward(page, board)), **more)
 
     return run
 
@@ -158,6 +169,36 @@ def test_the_page_speaks_the_language_of_the_robot(visit: Visit) -> None:
             await expect(title).to_have_text(words)
 
     visit(scenario)
+
+
+def test_a_setting_and_its_choices_are_named_as_the_robots_screen_would_show_them(
+    visit: Visit,
+) -> None:
+    own = {
+        "situ.toml": PROJECT.replace("[tags]", 'languages = ["en", "ja"]\n[tags]'),
+        "texts/ja.po": JAPANESE,
+    }
+
+    async def scenario(ward: Ward) -> None:
+        page, note = ward.page, ward.form("ward.voice").locator(".note")
+        await expect(ward.field("ward.round")).to_have_value("08:30")
+        # What is being typed stays when the language changes.
+        await ward.field("ward.volume").fill("61")
+        await ward.board.set("language", "ja")
+        await expect(page.get_by_label("朝の巡回", exact=True)).to_have_value("08:30")
+        voice = page.get_by_role("radiogroup", name="声", exact=True)
+        await expect(voice.get_by_role("radio", name="普通の声")).to_be_checked()
+        # What nobody translated is shown as it is written.
+        await expect(voice.get_by_role("radio", name="loud")).to_be_visible()
+        await expect(ward.field("ward.volume")).to_have_value("61")
+        await voice.get_by_role("radio", name="小さい声").check()
+        await expect(note).to_contain_text("保存しました")
+        assert await ward.board.get("ward.voice") == "soft"
+        await ward.board.set("language", None)
+        await expect(page.get_by_role("radio", name="soft")).to_be_checked()
+        await expect(ward.field("ward.round")).to_be_visible()
+
+    visit(scenario, own)
 
 
 def test_without_the_token_nothing_is_shown_until_it_is_typed(visit: Visit) -> None:

@@ -97,6 +97,27 @@ def test_every_text_shown_spoken_or_heard_has_an_entry_in_the_order_of_the_state
     assert entries.metadata["Language"] == "ja"
 
 
+def test_labels_and_choices_of_settings_have_entries_behind_all_others(folder: Path) -> None:
+    toml = folder / "situ.toml"
+    told = """
+[[setting]]
+tag = "voice"
+label = "Voice"
+type = "choice"
+choices = ["soft", "Home", "1"]
+"""
+    toml.write_text(toml.read_text() + told)
+    entries = {one.msgid: one for one in _update(folder)[1]}
+    assert list(entries)[-2:] == ["Voice", "soft"]
+    assert (entries["Voice"].comment, entries["Voice"].occurrences) == (
+        "setting voice", [("situ.toml", "")],
+    )  # fmt: skip
+    assert entries["soft"].comment == "setting voice: choice"
+    # What stands elsewhere, too, is one text; a number is none.
+    assert entries["Home"].occurrences[-1] == ("situ.toml", "")
+    assert "1" not in entries
+
+
 def test_an_entry_names_its_files_and_places_but_no_lines(folder: Path) -> None:
     _, entries = _update(folder)
     assert [(entry.comment.split("\n"), entry.occurrences) for entry in entries][1:] == [

@@ -24,7 +24,7 @@ from situ.document.rbd import (
     State,
     Text,
 )
-from situ.document.texts_shown import has_words
+from situ.document.texts_shown import has_words, setting_texts
 from situ.rehearse import scenario
 from situ.rehearse.expect import Expect
 from situ.rehearse.simulate import simulate
@@ -222,6 +222,9 @@ def test_every_text_is_translated(name: str) -> None:
             if isinstance(action, Speech):
                 texts.add(action.text)
         texts |= {say.text for event in owner.events for say in event.says}
+    project, _ = folder.load(EXAMPLES / name)
+    assert project is not None
+    texts |= {text for text, _ in setting_texts(project.settings)}
     every = polib.pofile(str(EXAMPLES / name / "texts" / "ja.po"))
     # How the voice says a word is no text.
     entries = [e for e in every if e.msgctxt != "reading"]

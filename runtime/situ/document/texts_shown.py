@@ -1,19 +1,20 @@
 """Which texts of a project people read, hear and say: those that ``texts/LANG.po`` translates.
 
 The same that the robot looks up there (``situ.decide.texts``): what a screen shows, speeches,
-and the phrases of events.
+and the phrases of events; and what the pages beside the screen show of the settings.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from msgspec import Struct
 
 from situ.document import names, words
 from situ.document.aside import Aside
 from situ.document.finding import Place
+from situ.document.project import Setting
 from situ.document.rbd import Application, Button, Event, List, Screen, Speech, Text
 
 _SPOKEN = re.compile(r"[^\W\d_]")
@@ -56,6 +57,15 @@ def shown_texts(application: Application) -> Iterator[ShownText]:
                 at = (*place, "action", str(index))
                 yield ShownText(action.text, f"{where}: speech", action.aside, at, action.lang)
         yield from _phrases(state.events, where, place)
+
+
+def setting_texts(settings: Iterable[Setting]) -> Iterator[tuple[str, str]]:
+    """The labels and choices of settings that have a word in them, and where each stands."""
+    for one in settings:
+        if has_words(one.label):
+            yield one.label, f"setting {one.tag}"
+        for choice in filter(has_words, one.choices):
+            yield choice, f"setting {one.tag}: choice"
 
 
 def _screen(screen: Screen | None, where: str, place: Place) -> Iterator[ShownText]:

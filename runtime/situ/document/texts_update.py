@@ -11,11 +11,12 @@ from typing import Any
 import polib
 from msgspec import Struct
 
+from situ.document.folder import PROJECT_FILE
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.document.texts import READING, parse
 from situ.document.texts_alike import Alike
-from situ.document.texts_shown import shown_texts
+from situ.document.texts_shown import setting_texts, shown_texts
 
 _HEADER = (
     ("MIME-Version", "1.0"),
@@ -47,9 +48,9 @@ def update(
     """The file of a language, from what it was (None: there is none yet); None, and why, where
     that is malformed.
 
-    In the order of the project: its applications, then their parts, state by state. A text
-    that is gone is kept as obsolete where somebody had translated or commented it, and taken
-    up again when it comes back.
+    In the order of the project: its applications, then their parts, state by state, then its
+    settings. A text that is gone is kept as obsolete where somebody had translated or commented
+    it, and taken up again when it comes back.
     """
     before, problems = (_empty(project, language), []) if data is None else parse(data, file)
     if problems:
@@ -129,6 +130,9 @@ def _wanted(
             found.setdefault(one.text, []).append((file, " ".join(one.where.split())))
             is_there = entry is not None and not entry.obsolete
             kept[one.text] = kept.get(one.text, is_there) or one.is_to_translate
+    for text, where in setting_texts(project.settings):
+        found.setdefault(text, []).append((PROJECT_FILE, where))
+        kept[text] = True
     return {text: places for text, places in found.items() if kept[text]}
 
 

@@ -8,6 +8,7 @@ from msgspec import Struct
 
 from situ.document.project import Project, Setting
 from situ.document.rbd import Application
+from situ.document.texts_shown import setting_texts
 
 _TYPES = {"boolean": "boolean", "number": "number", "text": "text"}
 
@@ -31,21 +32,28 @@ class Place(Struct, frozen=True):
 
 class Forms(Struct, frozen=True):
     """settings: in the project's order. data: the settings, then what the script observes and
-    what modules provide, each tag once. states: by application, in document order."""
+    what modules provide, each tag once. states: by application, in document order. texts: by
+    language, what is written in the settings to its translation, where there is one."""
 
     settings: tuple[Setting, ...] = ()
     data: tuple[Datum, ...] = ()
     states: dict[str, tuple[Place, ...]] = {}
+    texts: dict[str, dict[str, str]] = {}
 
 
 def forms(project: Project) -> Forms:
     data: dict[str, Datum] = {}
     for datum in _data(project):
         data.setdefault(datum.tag, datum)
+    written = tuple(setting_texts(project.settings))
     return Forms(
         settings=project.settings,
         data=tuple(data.values()),
         states={one.name: tuple(_states(project, one)) for one in project.applications.values()},
+        texts={
+            language: {text: known[text] for text, _ in written if text in known}
+            for language, known in project.texts.items()
+        },
     )
 
 
