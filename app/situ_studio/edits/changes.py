@@ -11,9 +11,8 @@ from situ.document.condition import Condition, Group, Test
 from situ.document.modules import Module, Modules
 from situ.document.rbd import Always, Application, Event, State, Timeout
 from situ.document.spds import Declaration, Observed, Situation, Spds
-from situ_studio.edits import places
+from situ_studio.edits import button_names, places
 from situ_studio.edits.edit import Document, Place
-from situ_studio.kinds import button_names
 
 _NAMES: dict[type, str] = {
     State: "no",

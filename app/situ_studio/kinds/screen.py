@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from situ.document import rbd
-from situ_studio.kinds.button_names import event_of
 from situ_studio.kinds.kind import Field, Kind, Section
 
 _ID = Field(
@@ -122,6 +121,11 @@ _SHOWN = Field(
     help="{tag} stands for a value on the blackboard and follows its changes.",
     empty="",
 )
+
+
+def event_of(id: str) -> str:
+    """The event that the touch of a new button raises."""
+    return f"click{id[:1].upper()}{id[1:]}"
 
 
 def _box(x: float, y: float, width: float, height: float) -> dict[str, Any]:

@@ -12,9 +12,8 @@ from situ.document import rbd
 from situ.document.problem import Problem
 from situ_studio import kinds
 from situ_studio.commands.insert import NotHere, insert
-from situ_studio.edits import places
+from situ_studio.edits import button_names, places
 from situ_studio.edits.edit import Place
-from situ_studio.kinds import button_names
 from situ_studio.looks.theme import Theme
 from situ_studio.screens import placing
 from situ_studio.screens.devices import USUAL

@@ -21,7 +21,7 @@ from situ_studio.looks import icons
 from situ_studio.looks.letters import px
 from situ_studio.looks.theme import Theme
 from situ_studio.welcome import thumbnail
-from situ_studio.window.status import count
+from situ_studio.wording.language import count
 
 SMALL = 0.3
 """The scale of a small picture."""

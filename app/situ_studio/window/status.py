@@ -20,16 +20,12 @@ from situ_studio.looks.letters import px
 from situ_studio.looks.theme import Theme
 from situ_studio.processes.working import WorkStrip
 from situ_studio.widgets.icon_widgets import Elided, IconLabel, ThemedButton
+from situ_studio.wording.language import count
 
 SAID_FOR = 6000
 """Milliseconds that a passing message stays."""
 SLACK = 16
 """Px that may be empty behind what the link is."""
-
-
-def count(number: int, one: str, many: str) -> str:
-    """``{0} state`` for one, ``{0} states`` for several: a language says it in its own order."""
-    return (one if number == 1 else many).format(number)
 
 
 class Status(QStatusBar):

@@ -10,8 +10,7 @@ from PySide6.QtCore import QObject
 
 from situ.document.problem import Problem
 from situ_studio.problems import problem_rows
-from situ_studio.window.status import count
-from situ_studio.wording.language import said
+from situ_studio.wording.language import count, said
 
 if TYPE_CHECKING:
     from situ_studio.window.main_window import MainWindow

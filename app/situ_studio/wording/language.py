@@ -38,6 +38,11 @@ def said(text: str) -> str:
     return _runtime().said(text)
 
 
+def count(number: int, one: str, many: str) -> str:
+    """``{0} state`` for one, ``{0} states`` for several: a language says it in its own order."""
+    return (one if number == 1 else many).format(number)
+
+
 @functools.cache
 def _runtime() -> RuntimeWords:
     return RuntimeWords(templates(), lambda text: QCoreApplication.translate("runtime", text))

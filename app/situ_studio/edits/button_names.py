@@ -13,15 +13,11 @@ from msgspec.structs import replace
 from situ.document import rbd
 from situ_studio.edits import places
 from situ_studio.edits.edit import Place
+from situ_studio.kinds.screen import event_of
 
 WORDS = 3
 """Of a longer text the first ones."""
 _UNNAMED = re.compile(r"button[0-9]+")
-
-
-def event_of(id: str) -> str:
-    """The event that the touch of a new button raises."""
-    return f"click{id[:1].upper()}{id[1:]}"
 
 
 def with_words(
