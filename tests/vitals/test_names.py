@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sqlite3
 from pathlib import Path
 from typing import Any
@@ -83,6 +84,11 @@ def test_a_voice_is_given_what_it_can_say(
         ("ユーコ", "Yuko"),
         ("ティナ ファン ウィン ヴァン", "Tina Fan Win Van"),
         ("ジェーン シェリー チェン", "Jen Sheri Chen"),
+        ("デュポン ドゥーガル トゥイ テューダー", "Dupon Dugaru Tui Tuda"),
+        ("フュー レヴュー イェンセン", "Fyu Revyu Yensen"),
+        ("クォン グェン", "Kwon Gwen"),
+        # Kana of full size are letters of their own.
+        ("とうこ いえ", "Touko Ie"),
         ("あっ", "A"),
         ("ゃ ぃ", "Ya I"),
     ],
@@ -111,6 +117,22 @@ def test_the_nurse_is_asked_for_kana_where_a_name_needs_it(store: Store) -> None
         await session.post("/residents/1/person", data=changed | {"kana": "きむら ゆき"})
         (haru,) = store.residents()
         assert (haru.name, haru.kana) == ("木村ゆき", "きむら ゆき")
+
+    over_http(store, asking, "a-nurse")
+
+
+def test_a_name_that_is_in_kanji_no_more_needs_no_kana(store: Store) -> None:
+    store.add(21, "木村はる", "2121", "きむら はる")
+
+    async def asking(session: aiohttp.ClientSession) -> None:
+        page = await (await session.get("/residents/1")).text()
+        (field,) = re.findall(r'<input id="kana"[^>]*>', page)
+        # The browser would let nobody send the form with this field emptied.
+        assert "required" not in field
+        changed = {"name": "Haru Kimura", "room": "21", "kana": ""}
+        assert (await session.post("/residents/1/person", data=changed)).status == 200
+        (haru,) = store.residents()
+        assert (haru.name, haru.kana) == ("Haru Kimura", "")
 
     over_http(store, asking, "a-nurse")
 

@@ -21,6 +21,17 @@ _UNICODE_NAME = re.compile(r"(?:HIRAGANA|KATAKANA) LETTER (SMALL )?(\w+)")
 _HEPBURN = {"SI": "SHI", "TI": "CHI", "TU": "TSU", "HU": "FU", "ZI": "JI", "DI": "JI", "DU": "ZU"}
 _WITH_A_Y = ("SHI", "CHI", "JI")
 """What is written so has a Y of its own, which a small kana after it has not once more."""
+_TOGETHER = {
+    ("TO", "U"): "TU",
+    ("DO", "U"): "DU",
+    ("TE", "YU"): "TU",
+    ("DE", "YU"): "DU",
+    ("FU", "YU"): "FYU",
+    ("VU", "YU"): "VYU",
+    ("I", "E"): "YE",
+    **{(f"{one}U", small): f"{one}W{small}" for one in "KG" for small in "AIEO"},
+}
+"""What stands before a small kana and that, of names from elsewhere, to both."""
 
 
 def needs_kana(name: str) -> bool:
@@ -65,6 +76,8 @@ def latin(kana: str) -> str:
             made += [" "] * (letter == "\u30fb")
         elif not sound:
             made.append(letter)
+        elif small and (before, sound) in _TOGETHER:
+            made[-1] = _TOGETHER[before, sound]
         elif small and sound == "TU":
             made.append("*")
         elif small and sound[0] == "Y" and before.endswith("I"):

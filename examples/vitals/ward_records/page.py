@@ -162,13 +162,15 @@ def asked(back: tuple[str, str], title: str, what: str, more: str, action: str) 
 
 
 def kana_field(field: str, name: str, kana: str) -> str:
-    """How a name is said: asked for where names are Japanese, or this one is."""
+    """How a name is said: asked for where names are Japanese, or this one is. The browser asks for
+    nothing: whether it is needed is known by the name that is sent, not by the one that stood here.
+    """
     if not (kana or needs_kana(name) or spoken() == "ja"):
         return ""
     return (
         f'<label for="{field}">{say("How the name is said, in kana")}</label>'
         f'<input id="{field}" name="{field}" maxlength="80" autocomplete="off" '
-        f'value="{escape(kana)}"{" required" if needs_kana(name) else ""}>'
+        f'value="{escape(kana)}">'
     )
 
 
