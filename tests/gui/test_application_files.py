@@ -128,7 +128,7 @@ def choose(used: Any, file: str) -> None:
 
 
 def dialog(used: Any) -> Any:
-    found = used.window.application_files.dialog
+    found = used.window.document_files.dialog
     assert found is not None, used.window.status.said.text()
     return found
 
@@ -263,7 +263,7 @@ def test_a_name_that_is_taken_or_none_is_told_before_anything_happens(
     key(ward, Qt.Key.Key_Escape)
     ward.settle()
     assert not ward.session.undo_text
-    assert ward.window.application_files.dialog is None
+    assert ward.window.document_files.dialog is None
 
 
 def test_a_part_takes_the_states_that_run_it_along(ward: Any, tmp_path: Path) -> None:
@@ -272,7 +272,7 @@ def test_a_part_takes_the_states_that_run_it_along(ward: Any, tmp_path: Path) ->
     ward.window.parts.enter()
     assert ward.window.parts.way == ("a.rbd.xml", "turn.rbd.xml")
     # The command is about the document that is shown.
-    do(ward, "rename_application")
+    do(ward, "rename_file")
     write(ward, "tour")
     assert listed(dialog(ward).list) == [
         "turn.rbd.xml: becomes tour.rbd.xml",
@@ -308,7 +308,7 @@ def test_what_still_refers_to_a_file_is_told_before_it_is_deleted_and_undo_bring
     ward.key(Qt.Key.Key_Delete)
     key(ward, Qt.Key.Key_Return)
     ward.settle()
-    assert ward.session.undo_text == "Delete night"
+    assert ward.session.undo_text == "Delete application night"
     assert "night.rbd.xml" not in ward.session.files
     assert "night.rbd.xml" not in ward.window.tabs.files()
     assert on_disk(tmp_path) == before
@@ -393,7 +393,7 @@ def test_a_file_with_errors_or_changed_on_disk_keeps_its_name(ward: Any, tmp_pat
     (tmp_path / "night.rbd.xml").write_text(NIGHT.replace("Bye", "Good bye"))
     ward.window.project_tree.tree.setFocus()
     ward.key(Qt.Key.Key_F2)
-    assert ward.window.application_files.dialog is None
+    assert ward.window.document_files.dialog is None
     said = ward.window.status.said.text()
     assert said == "Another program changed night.rbd.xml: decide first which one stays."
     (tmp_path / "turn.rbd.xml").write_text(
@@ -403,7 +403,7 @@ def test_a_file_with_errors_or_changed_on_disk_keeps_its_name(ward: Any, tmp_pat
     for key in (Qt.Key.Key_F2, Qt.Key.Key_Delete):
         choose(ward, "turn.rbd.xml")
         ward.key(key)
-        assert ward.window.application_files.dialog is None
+        assert ward.window.document_files.dialog is None
         said = ward.window.status.said.text()
         assert said.startswith("turn.rbd.xml has errors: mend them first")
 
@@ -427,7 +427,7 @@ def test_the_menu_of_a_row_is_about_that_row_by_mouse_and_by_key(ward: Any) -> N
     assert copy not in ward.session.files
     choose(ward, "a.rbd.xml")
     QApplication.sendEvent(tree, QContextMenuEvent(keys, QPoint(1, 1), tree.mapToGlobal(QPoint())))
-    press(ward, "Rename application…")
+    press(ward, "Rename file…")
     assert dialog(ward).name.text() == "a"
     key(ward, Qt.Key.Key_Escape)
     ward.settle()
@@ -440,12 +440,12 @@ def test_the_menu_of_a_row_is_about_that_row_by_mouse_and_by_key(ward: Any) -> N
     assert dialog(ward).name.text() == "a"
     key(ward, Qt.Key.Key_Escape)
     ward.settle()
-    # A row that is no application has none of it.
-    at = tree.visualRect(row(ward, "ward.spds.xml")).center()
+    # A row that is no document has none of it.
+    at = tree.visualRect(row(ward, "texts")).center()
     glob = tree.viewport().mapToGlobal(at)
     QApplication.sendEvent(tree.viewport(), QContextMenuEvent(mouse, at, glob))
     menu = open_menu()
-    assert "Delete application…" not in [one.text() for one in menu.actions()]
+    assert "Delete file…" not in [one.text() for one in menu.actions()]
     menu.close()
     ward.settle()
 
@@ -470,8 +470,8 @@ def test_after_a_crash_another_name_is_offered_again_in_all_files(
     assert found is not None
     assert list(found.applications) == ["a.rbd.xml", "late.rbd.xml"]
     assert '"application": "late"' in (tmp_path / "scenarios" / "first.jsonl").read_text()
-    # What it was called before is not known any more: its file stays, and nothing is lost.
-    assert (tmp_path / "night.rbd.xml").read_text() == NIGHT
+    assert used.session.throw_away.held == {"night.rbd.xml": NIGHT.encode()}
+    assert not (tmp_path / "night.rbd.xml").exists()
 
 
 def test_what_another_program_writes_while_a_name_is_asked_for_is_not_written_over(
@@ -677,7 +677,7 @@ def test_beside_a_scenario_that_can_not_be_read_or_lies_elsewhere_no_file_goes(
         scenario.mkdir()
     choose(ward, "night.rbd.xml")
     ward.key(Qt.Key.Key_Delete)
-    assert ward.window.application_files.dialog is None
+    assert ward.window.document_files.dialog is None
     assert ward.window.status.said.text() == why
     ward.key(Qt.Key.Key_F2)
     write(ward, "late")
@@ -694,7 +694,7 @@ def test_undo_of_a_deletion_shows_the_file_where_and_as_it_was(ward: Any) -> Non
     ward.select("state", "2")
     tabs, chosen = window.tabs.files(), window.current_view.selected
     assert tabs[-1] != "night.rbd.xml"
-    do(ward, "delete_application")
+    do(ward, "delete_file")
     key(ward, Qt.Key.Key_Return)
     ward.settle()
     assert "night.rbd.xml" not in window.tabs.files()
@@ -720,7 +720,7 @@ def test_undo_of_a_deletion_shows_a_part_within_its_application_and_the_other_si
     window.open_file("a.rbd.xml")
     ward.select("state", "2")
     window.parts.enter()
-    do(ward, "delete_application")
+    do(ward, "delete_file")
     key(ward, Qt.Key.Key_Return)
     ward.settle()
     assert window.parts.way == ("a.rbd.xml",)
@@ -732,7 +732,7 @@ def test_undo_of_a_deletion_shows_a_part_within_its_application_and_the_other_si
     show_beside(window, "night.rbd.xml", moved=True)
     ward.settle()
     assert [group.tabs.files() for group in window.sides.groups][1:] == [["night.rbd.xml"]]
-    do(ward, "delete_application")
+    do(ward, "delete_file")
     key(ward, Qt.Key.Key_Return)
     ward.settle()
     assert len(window.sides.groups) == 1
@@ -744,14 +744,14 @@ def test_undo_of_a_deletion_shows_a_part_within_its_application_and_the_other_si
 def test_tabs_go_along_with_undo_in_another_language_too(ward: Any) -> None:
     tabs = ward.window.tabs.files()
     ward.window.open_file("night.rbd.xml")
-    for command in ("rename_application", "delete_application"):
+    for command in ("rename_file", "delete_file"):
         do(ward, command)
-        if command == "rename_application":
+        if command == "rename_file":
             write(ward, "late")
         key(ward, Qt.Key.Key_Return)
         ward.settle()
         assert "night.rbd.xml" not in ward.window.tabs.files()
-        ward = speak(ward, "日本語" if command == "rename_application" else "English")
+        ward = speak(ward, "日本語" if command == "rename_file" else "English")
         do(ward, "undo")
         assert ward.window.tabs.files() == tabs
         assert ward.window.current_file == "night.rbd.xml"

@@ -165,7 +165,7 @@ import os, signal, sys
 from PySide6.QtCore import QSettings, QTimer
 from situ_studio import main
 from situ_studio.edits import places
-from situ_studio.window.main_window import windows
+from situ_studio.window import windows
 settings = QSettings(sys.argv[2], QSettings.Format.IniFormat)
 main.QSettings = lambda: settings
 made = windows.Windows.open_window

@@ -148,17 +148,20 @@ class FileCommands(SituationCommands):
         self._window.finish_fields()
         self._try(self._window.exporting.print_)
 
-    def has_application_file(self) -> bool:
-        return self._window.application_files.file is not None
+    def has_document_file(self) -> bool:
+        return self._window.document_files.file is not None
 
-    def rename_application(self) -> None:
-        self._window.application_files.rename()
+    def can_have_another(self) -> bool:
+        return self._window.document_files.is_application
+
+    def rename_file(self) -> None:
+        self._window.document_files.rename()
 
     def duplicate_application(self) -> None:
-        self._window.application_files.duplicate()
+        self._window.document_files.duplicate()
 
-    def delete_application(self) -> None:
-        self._window.application_files.delete()
+    def delete_file(self) -> None:
+        self._window.document_files.delete()
 
     def close_tab(self) -> None:
         self._window.open_files.close_chosen()

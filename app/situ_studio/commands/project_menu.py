@@ -63,7 +63,7 @@ class ProjectMenu(QObject):
         form = menu.addAction(self._icon("folder"), self.tr("What the project is"))
         form.triggered.connect(lambda: window.open_file(PROJECT_FILE))
         if file is not None:
-            window.application_files.add_to(menu, file)
+            window.document_files.add_to(menu, file)
         menu.popup(at)
 
     def _begin_information(self) -> None:

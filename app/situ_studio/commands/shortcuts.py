@@ -28,10 +28,10 @@ CANVAS: tuple[tuple[str, str], ...] = (
 """What a canvas does with keys by itself (``canvas.base``), with what a person reads."""
 
 TREE: tuple[tuple[str, str], ...] = (
-    ("F2", "Rename the application of the row"),
-    ("Del", "Delete the application of the row"),
+    ("F2", "Rename the file of the row"),
+    ("Del", "Delete the file of the row"),
 )
-"""What the project's tree does with keys (``application_files``), with what a person reads."""
+"""What the project's tree does with keys (``document_files``), with what a person reads."""
 
 
 def rows(keys_of: Mapping[str, list[QKeySequence]]) -> Iterator[tuple[str, str, str]]:

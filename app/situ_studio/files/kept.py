@@ -14,20 +14,24 @@ from situ_studio.edits.edit import Written
 
 
 class Kept(msgspec.Struct, frozen=True):
-    """What a recovery file holds: the unsaved documents of one project, as their files' text."""
+    """What a recovery file holds: the unsaved documents of one project, as their files' text; None
+    of one that was taken away, and lies in the folder until the project is saved.
+    """
 
     root: str
     at: datetime
-    files: dict[str, str]
+    files: dict[str, str | None]
 
 
 class Wanted(msgspec.Struct, frozen=True):
-    """What shall be kept in ``file``. values: the unsaved documents, by their files."""
+    """What shall be kept in ``file``. values: the unsaved documents, by their files; None of one
+    that was taken away.
+    """
 
     file: Path
     root: str
     at: datetime
-    values: dict[str, Written]
+    values: dict[str, Written | None]
 
 
 def write(wanted: Wanted) -> None:
@@ -36,8 +40,11 @@ def write(wanted: Wanted) -> None:
     folder.write(wanted.file, msgspec.json.encode(kept))
 
 
-def _texts(values: Mapping[str, Written]) -> dict[str, str]:
-    return {file: edit.write(value).decode() for file, value in values.items()}
+def _texts(values: Mapping[str, Written | None]) -> dict[str, str | None]:
+    return {
+        file: edit.write(value).decode() if value is not None else None
+        for file, value in values.items()
+    }
 
 
 def read(file: Path) -> Kept | None:

@@ -17,7 +17,7 @@ from situ.document.catalogue import Catalogue
 from situ.document.rbd import Application
 from situ.errors import SituError
 from situ_studio.edits import edit
-from situ_studio.edits.edit import Lines, Written
+from situ_studio.edits.edit import Document, Lines, Written
 from situ_studio.files import kept, leftovers
 from situ_studio.files.claim import key, lock
 from situ_studio.files.kept import Kept, Wanted
@@ -59,8 +59,8 @@ class Recovery(QObject):
         self._session, self._home, self._notice, self._now = session, home, notice, now
         self._file: Path | None = None
         self._lock: QLockFile | None = None
-        self._kept: dict[str, Written] = {}
-        self._asked: dict[str, Written] = {}
+        self._kept: dict[str, Written | None] = {}
+        self._asked: dict[str, Written | None] = {}
         self._told = False
         self._worker = Worker(command, self)
         self._worker.answered.connect(self._on_written)
@@ -87,7 +87,7 @@ class Recovery(QObject):
         wanted = self._begin()
         if wanted is None:
             return
-        if sum(_size(value) for value in wanted.values.values()) <= LARGE:
+        if sum(map(_size, wanted.values.values())) <= LARGE:
             self._worker.end()
             self._write(wanted)
         else:
@@ -97,11 +97,10 @@ class Recovery(QObject):
     def _begin(self) -> Wanted | None:
         """What is to be kept, and where; None where nothing is that is not kept already."""
         self._soon.stop()
-        unsaved = {f: self._session.value(f) for f in self._session.dirty}
         values = {
-            file: value
-            for file, value in unsaved.items()
-            if value is not None and not self._session.is_incomplete(file)
+            file: self._session.value(file)
+            for file in self._session.dirty
+            if not self._session.is_incomplete(file)
         }
         if not values:
             self.forget()
@@ -204,20 +203,30 @@ class Recovery(QObject):
         )
 
     def _restore(self, file: Path, found: Kept) -> None:
-        """As one step a document, that can be undone."""
+        """As one step, that can be undone. Where a file can not be brought back, none goes."""
+        session = self._session
+        values: dict[str, Written | None] = {}
         for name, text in found.files.items():
-            document, _ = edit.read(text.encode(), name)
-            if isinstance(document, Lines):
-                self._session.contents.attend((name,))
-            now = self._session.value(name)
-            # A part that was made, and not saved, is known to no file of the project yet.
-            new = now is None and isinstance(document, Application | Catalogue)
-            if document is not None and (new or type(document) is type(now)):
-                self._session.commit(name, document, self.tr("Bring back unsaved changes"))
+            if text is not None:
+                value, _ = edit.read(text.encode(), name)
+                if isinstance(value, Lines):
+                    session.contents.attend((name,))
+                now = session.value(name)
+                # What was made, and not saved, is known to no file of the project yet.
+                new = now is None and isinstance(value, Document | Catalogue)
+                fits = value is not None and (new or type(value) is type(now))
+                if fits and not session.is_incomplete(name):
+                    values[name] = value
+        gone = [f for f, t in found.files.items() if t is None and not session.is_incomplete(f)]
+        if len(values) + len(gone) == len(found.files):
+            values |= dict.fromkeys(gone)
+            session.contents.take_away(gone)
+        session.commit_all(values, self.tr("Bring back unsaved changes"))
+        session.stack_changed.emit()
         # Only once they are kept anew.
         self.keep()
         file.unlink(missing_ok=True)
 
 
-def _size(value: Written) -> int:
+def _size(value: Written | None) -> int:
     return len(value.states) if isinstance(value, Application) else 0

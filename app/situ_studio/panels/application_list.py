@@ -26,7 +26,7 @@ from situ.document.rbd import Application, State
 from situ.document.spds import Spds
 from situ.errors import UsageError
 from situ_studio.canvas.gestures import mark_start
-from situ_studio.edits.application_uses import END, unlisted
+from situ_studio.edits.document_uses import END, listed
 from situ_studio.edits.edit import Written
 from situ_studio.looks import icons
 from situ_studio.project import new_script
@@ -139,9 +139,9 @@ class ApplicationList(QObject):
 
     def remove(self, file: str) -> None:
         """Takes an application out of the project; its file stays."""
-        toml = self._session.value(PROJECT_FILE)
-        if isinstance(toml, Toml):
-            after = unlisted(toml, file)
+        project, toml = self._session.project, self._session.value(PROJECT_FILE)
+        if project is not None and isinstance(toml, Toml):
+            after = listed(toml, project, file)
             self._session.commit(PROJECT_FILE, after, self.tr("Remove {0}").format(file))
 
     def start(self, file: str, no: str) -> None:

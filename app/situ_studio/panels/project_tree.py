@@ -46,7 +46,8 @@ def look(document: Document, part: bool = False) -> tuple[str, str, int]:
     return "module", "module", len(document.modules)
 
 
-def _kind(document: Document, part: bool) -> str:
+def kind(document: Document, part: bool = False) -> str:
+    """What sort of document it is, in the user's language."""
     if isinstance(document, Application):
         return tr("part") if part else tr("application")
     return tr("script") if isinstance(document, Spds) else tr("module information")
@@ -172,9 +173,8 @@ class ProjectTree(QWidget):
             self._files[SCENARIOS].setToolTip(project.scenarios)
         # Not all: a row without others would be read as an open one.
         self.tree.expand(top.index())
-        height = self.height_wanted()
-        self.setMinimumHeight(min(height, px(9 * 24 + 8)))
-        self.setMaximumHeight(height)
+        self.setMinimumHeight(self.height_least())
+        self.setMaximumHeight(self.height_wanted())
 
     def _add_folder(self, top: QStandardItem, words: str, key: str, icon: str) -> None:
         item = self._files[key] = QStandardItem(words)
@@ -201,7 +201,7 @@ class ProjectTree(QWidget):
         item.setData(str(count), COUNT)
         item.setData(tuple((m, m) for m in marks), MARKS)
         item.setText(stem(file) + (" •" if dirty else ""))
-        heard = [stem(file), _kind(document, part), self.tr("not saved") if dirty else ""]
+        heard = [stem(file), kind(document, part), self.tr("not saved") if dirty else ""]
         heard += [tr("has an error")] * ("error" in marks) or [tr("has a warning")] * bool(marks)
         item.setAccessibleText(", ".join(one for one in heard if one))
 
@@ -217,6 +217,10 @@ class ProjectTree(QWidget):
         """The height at which nothing needs to scroll."""
         root = self._model.invisibleRootItem()
         return px(24) * sum(1 + root.child(i).rowCount() for i in range(root.rowCount())) + 8
+
+    def height_least(self) -> int:
+        """The height below which it does not go: that of nine rows, or of all of fewer."""
+        return min(self.height_wanted(), px(9 * 24 + 8))
 
     def _on_asked(self, index: QModelIndex) -> None:
         file = index.data(PLACE)

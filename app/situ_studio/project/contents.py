@@ -111,6 +111,14 @@ class Contents:
         """What becomes on disk of a file that was taken away is decided."""
         del self._removed[file]
 
+    def take_away(self, files: Iterable[str]) -> None:
+        """Files that a project which was saved in part has no more go too, where they still lie."""
+        for file in files:
+            if self.document(file) is None and not self._disk.is_missing(file):
+                self._disk.see(file)
+                self._disk.leave(file)
+                self._removed[file] = None
+
     def settle_removed(self) -> None:
         """What was taken away and is here again lies on disk like all else."""
         self._removed.clear()

@@ -19,9 +19,9 @@ from situ_studio.edits.edit import Document, Place
 from situ_studio.edits.vocabulary import Lexicon, Vocabulary
 from situ_studio.export.exporting import ExportingSide
 from situ_studio.files import leftovers
-from situ_studio.files.application_files import ApplicationFiles
 from situ_studio.files.claim import Claim
 from situ_studio.files.disk import DiskSide
+from situ_studio.files.document_files import DocumentFiles
 from situ_studio.files.opening import Found
 from situ_studio.files.recovery import Recovery
 from situ_studio.finding.looking import FindingSide
@@ -117,7 +117,7 @@ class MainWindow(Frame):
         self.media_choice = ChoosingMedia(self)
         self.parts = PartsSide(self)
         # Before the window closes the tabs of files that are not there any more.
-        self.application_files = ApplicationFiles(self)
+        self.document_files = DocumentFiles(self)
         self.pages = PagesSide(self)
         self.finding = FindingSide(self)
         self.exporting = ExportingSide(self)

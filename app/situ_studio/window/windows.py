@@ -301,7 +301,7 @@ class Windows(QObject):
         for one in old.findChildren(Reading):
             one.move_to(new)
         old.exporting.move_to(new.exporting)
-        old.application_files.move_to(new.application_files)
+        old.document_files.move_to(new.document_files)
         new.claim, old.claim = old.claim, new.claim
         new.take_over()
         move(old, new)

@@ -1,8 +1,8 @@
-"""What is asked before an application gets another name or is deleted: what changes, and where."""
+"""What is asked before a document gets another name or is deleted: what changes, and where."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
@@ -15,36 +15,34 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from situ_studio.edits.application_uses import Renaming, Use
+from situ.document.spds import Spds
+from situ_studio.edits.document_uses import Renaming, Use, own_name
+from situ_studio.edits.edit import Document
+from situ_studio.files.proposed_names import ProposedNames
 from situ_studio.looks.letters import px
 from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Flag
+from situ_studio.panels.project_tree import kind
 from situ_studio.widgets.dialog_buttons import add_buttons
 
 
-class RenameApplication(QDialog):
-    """Asks for another name of an application's file, and shows what follows.
+class RenameDocument(QDialog):
+    """Asks for another name of a document's file, and shows what follows.
 
-    stem: what it is called. called: the application's own name; it gets the new one too, unless a
-    person says no. proposed: what a name leads to, by the file's and whether the application
-    takes it too; a line for the user where that can not be.
+    stem: what the file is called. An application or a script gets the new name itself too, unless
+    a person says no. names: what a name leads to.
     """
 
     agreed = Signal(object)
     """The ``Renaming`` that is wanted."""
 
     def __init__(
-        self,
-        stem: str,
-        called: str,
-        proposed: Callable[[str, bool], Renaming | str],
-        theme: Theme,
-        parent: QWidget,
+        self, stem: str, document: Document, names: ProposedNames, theme: Theme, parent: QWidget
     ) -> None:
         super().__init__(parent)
-        self._stem, self._proposed = stem, proposed
+        self._names = names
         self._renaming: Renaming | None = None
-        self.setWindowTitle(self.tr("Rename application"))
+        self.setWindowTitle(self.tr("Rename {0}").format(kind(document)))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(px(480), px(360))
         column = _column(self)
@@ -53,11 +51,10 @@ class RenameApplication(QDialog):
         self.name.setAccessibleName(self.tr("Name of the file"))
         self.name.selectAll()
         column.addWidget(self.name)
-        too = self.tr("The application is called so too, not {0}").format(called)
-        if called == stem:
-            too = self.tr("The application itself is called so too")
-        self.too = Flag(theme, too)
+        called = own_name(document)
+        self.too = Flag(theme, self._too(document, called == stem))
         self.too.setChecked(called == stem)
+        self.too.setVisible(called is not None)
         column.addWidget(self.too)
         self.why = _label("", "refused")
         column.addWidget(self.why)
@@ -71,9 +68,20 @@ class RenameApplication(QDialog):
         self.name.setFocus()
         self._settle()
 
+    def _too(self, document: Document, same: bool) -> str:
+        """What it is about the document's own name; same: it has the file's now."""
+        called = own_name(document)
+        if isinstance(document, Spds):
+            if same:
+                return self.tr("The script itself is called so too")
+            return self.tr("The script is called so too, not {0}").format(called)
+        if same:
+            return self.tr("The application itself is called so too")
+        return self.tr("The application is called so too, not {0}").format(called)
+
     def _settle(self) -> None:
         stem = self.name.text().strip()
-        found = self._proposed(stem, self.too.isChecked())
+        found = self._names.of(stem, self.too.isChecked())
         self._renaming = found if isinstance(found, Renaming) else None
         self.why.setText(found if isinstance(found, str) else "")
         self.why.setVisible(bool(self.why.text()))
@@ -82,13 +90,14 @@ class RenameApplication(QDialog):
 
     def _agree(self) -> None:
         # Of what the files are by now: another program may have changed them since a key was hit.
+        self._names.look_again()
         self._settle()
         if self._renaming is not None:
             self.accept()
             self.agreed.emit(self._renaming)
 
 
-class DeleteApplication(QDialog):
+class DeleteDocument(QDialog):
     """Asks whether a file shall be deleted, and shows what still refers to it.
 
     uses: what that is; nothing is told too.
@@ -96,9 +105,11 @@ class DeleteApplication(QDialog):
 
     agreed = Signal()
 
-    def __init__(self, file: str, uses: tuple[Use, ...], parent: QWidget) -> None:
+    def __init__(
+        self, file: str, document: Document, uses: tuple[Use, ...], parent: QWidget
+    ) -> None:
         super().__init__(parent)
-        self.setWindowTitle(self.tr("Delete application"))
+        self.setWindowTitle(self.tr("Delete {0}").format(kind(document)))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(px(480), px(300) if uses else px(160))
         column = _column(self)

@@ -1,4 +1,4 @@
-"""A window's part of the applications' files: renamed, deleted, and another one like it made.
+"""A window's part of the documents' files: renamed, deleted, and another application like one made.
 
 Each is one step of documents. On disk nothing happens before the project is saved: then the new
 file is written, and the old one goes into the system's waste basket (``Session.save``).
@@ -7,26 +7,25 @@ file is written, and the old one goes into the system's waste basket (``Session.
 from __future__ import annotations
 
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent, QKeyEvent
 from PySide6.QtWidgets import QDialog, QMenu
 
-from situ.document import beside
+from situ.document.beside import Toml
 from situ.document.folder import PROJECT_FILE
 from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.errors import UsageError
-from situ.rehearse.suite import ENDING, scenarios
-from situ_studio.edits import application_uses as uses
-from situ_studio.edits import mentions
-from situ_studio.edits.edit import Written, read
-from situ_studio.files.application_dialogs import DeleteApplication, RenameApplication
+from situ.rehearse.suite import ENDING
+from situ_studio.edits import document_uses as uses
+from situ_studio.edits.edit import Document, Written
+from situ_studio.files.document_dialogs import DeleteDocument, RenameDocument
 from situ_studio.files.left_open import Left, left, open_again
+from situ_studio.files.proposed_names import ProposedNames, values
 from situ_studio.panels.lists import PLACE
-from situ_studio.panels.project_tree import stem
+from situ_studio.panels.project_tree import kind, stem
 from situ_studio.project.undo import Looking, Selection
 from situ_studio.views import showing
 
@@ -34,11 +33,11 @@ if TYPE_CHECKING:
     from situ_studio.window.main_window import MainWindow
     from situ_studio.window.sides import Group
 
-COMMANDS = ("rename_application", "duplicate_application", "delete_application")
-"""What is offered of an application's file."""
+COMMANDS = ("rename_file", "duplicate_application", "delete_file")
+"""What is offered of a document's file."""
 
 
-class ApplicationFiles(QObject):
+class DocumentFiles(QObject):
     """About the row of the project's tree that has the focus, else about the shown document."""
 
     def __init__(self, window: MainWindow) -> None:
@@ -56,7 +55,7 @@ class ApplicationFiles(QObject):
         self._tree = window.project_tree.tree
         self._tree.installEventFilter(self)
 
-    def move_to(self, other: ApplicationFiles) -> None:
+    def move_to(self, other: DocumentFiles) -> None:
         """Tabs go along in a window that is made in place of this one."""
         other._pairs.update(self._pairs)
         other._left.update(self._left)
@@ -69,7 +68,7 @@ class ApplicationFiles(QObject):
 
     @property
     def file(self) -> str | None:
-        """The application's file that is meant; None where none is."""
+        """The document's file that is meant; None where none is."""
         file = self._window.current_file
         if self._pressed is not None:
             file = self._pressed
@@ -78,7 +77,12 @@ class ApplicationFiles(QObject):
         project = self._session.project
         if project is None or project.toml is None or file is None:
             return None
-        return file if isinstance(self._session.document(file), Application) else None
+        return file if self._session.document(file) is not None else None
+
+    @property
+    def is_application(self) -> bool:
+        """Whether it is an application's, of which there may be another one like it."""
+        return isinstance(self._session.document(self.file or ""), Application)
 
     def add_to(self, menu: QMenu, file: str | None) -> None:
         """Puts what can be done with a row of the tree before what a menu has."""
@@ -91,7 +95,8 @@ class ApplicationFiles(QObject):
         every.refresh()
         first = menu.actions()[0]
         for name in COMMANDS:
-            menu.insertAction(first, every.actions[name])
+            if every.actions[name].isEnabled():
+                menu.insertAction(first, every.actions[name])
         menu.insertSeparator(first)
 
     def _release(self) -> None:
@@ -133,90 +138,63 @@ class ApplicationFiles(QObject):
         file = self._ready()
         if file is None:
             return
-        application = self._session.document(file)
-        assert isinstance(application, Application)
-        # What was found once is not looked for again with each key.
-        proposed = partial(self._proposed, mentions.Index(), file)
-        window = self._window
-        dialog = RenameApplication(stem(file), application.name, proposed, window.theme, window)
-        dialog.agreed.connect(partial(self._rename, file))
+        window, document = self._window, self._session.document(file)
+        assert document is not None
+        names = ProposedNames(self._session, file, lambda new: self._pairs.get(new) == file)
+        dialog = RenameDocument(stem(file), document, names, window.theme, window)
+        dialog.agreed.connect(partial(self._rename, file, document))
         self._open(dialog)
 
-    def _proposed(
-        self, index: mentions.Index, file: str, name: str, too: bool
-    ) -> uses.Renaming | str:
-        project, application = self._session.project, self._session.document(file)
-        if project is None or not isinstance(application, Application):
-            return self.tr("{0} is not in this project.").format(file)
-        new = uses.renamed_file(file, name)
-        own = name if too and name != application.name else None
-        if new == file and own is None:
-            return self.tr("Write another name.")
-        wrong = uses.wrong_name(name)
-        if wrong:
-            return wrong
-        if new != file and self._is_taken(file, new):
-            return self.tr("There is a file {0} already: choose another name.").format(new)
-        if own is not None and file not in project.parts and self._is_module(project, own):
-            return self.tr("There is a module {0} already: choose another name.").format(own)
-        try:
-            return uses.rename(project, self._values(project), index, file, new, own)
-        except (UsageError, ValueError) as error:
-            return str(error)
-
-    def _is_taken(self, file: str, new: str) -> bool:
-        """Whether the project has such a file, or its folder, where letters' case may not count."""
-        others = {one.casefold() for one in self._session.files if one != file}
-        if new.casefold() in others:
-            return True
-        path = self._session.root / new
-        # Saving would write over one that was deleted, before it is in the waste basket.
-        is_own = self._pairs.get(new) == file and new in self._session.contents.removed
-        if not path.exists() or is_own:
-            return False
-        here = self._session.root / file
-        return not (here.exists() and path.samefile(here))
-
-    def _is_module(self, project: Project, name: str) -> bool:
-        names = {one.name for one in project.applications.values()}
-        return name in names or name in project.declared()
-
-    def _rename(self, file: str, wanted: uses.Renaming) -> None:
+    def _rename(self, file: str, document: Document, wanted: uses.Renaming) -> None:
         new = next(iter(wanted.changed))
         if new != file:
             self._pairs[file] = new
-        words = self.tr("Rename application {0}").format(stem(file))
+        words = self.tr("Rename {0} {1}").format(kind(document), stem(file))
         self._commit(wanted.changed, words)
 
     # -- deleted -------------------------------------------------------------------------
 
     def delete(self) -> None:
-        """Asks whether an application shall be deleted, and says what still refers to it."""
+        """Asks whether a document shall be deleted, and says what still refers to it."""
         file, project = self._ready(), self._session.project
         if file is None or project is None:
             return
-        if [*project.applications] == [file]:
-            told = self.tr("It is the only application: a project has at least one.")
-            self._window.say(told)
+        needed = self._needed(project, file)
+        if needed:
+            self._window.say(needed)
             return
+        document = self._session.document(file)
+        assert document is not None
         try:
-            found = uses.uses(project, self._values(project), file)
+            found = uses.uses(project, values(self._session, project), file)
         except UsageError as error:
             self._window.say(str(error))
             return
-        dialog = DeleteApplication(file, found, self._window)
-        dialog.agreed.connect(partial(self._delete, file))
+        dialog = DeleteDocument(file, document, found, self._window)
+        dialog.agreed.connect(partial(self._delete, file, document))
         self._open(dialog)
 
-    def _delete(self, file: str) -> None:
-        toml = self._session.value(PROJECT_FILE)
+    def _needed(self, project: Project, file: str) -> str:
+        """Why a project can not be without a file, in one line; "" where it can."""
+        if [*project.applications] == [file]:
+            return self.tr("It is the only application: a project has at least one.")
+        if file == project.spds_file and len(project.applications) > 1:
+            return self.tr(
+                "A project with several applications needs its script: it says which one goes "
+                "first."
+            )
+        return ""
+
+    def _delete(self, file: str, document: Document) -> None:
+        project, toml = self._session.project, self._session.value(PROJECT_FILE)
         changed: dict[str, Written | None] = {}
-        if isinstance(toml, beside.Toml) and file in beside.applications(toml):
-            changed[PROJECT_FILE] = uses.unlisted(toml, file)
+        if project is not None and isinstance(toml, Toml):
+            changed[PROJECT_FILE] = uses.listed(toml, project, file)
         every = self._window.sides.views_of(file)
         view = self._window.views.get(file) or next(iter(every), None)
         seen = (view.selected, view.call("looking")) if view is not None else ((), None)
-        self._commit({**changed, file: None}, self.tr("Delete {0}").format(stem(file)), *seen)
+        words = self.tr("Delete {0} {1}").format(kind(document), stem(file))
+        self._commit({**changed, file: None}, words, *seen)
 
     # -- another one like it -------------------------------------------------------------
 
@@ -245,28 +223,6 @@ class ApplicationFiles(QObject):
             return file
         window.say(told.format(file))
         return None
-
-    def _values(self, project: Project) -> dict[str, Written]:
-        """What stands beside the documents, scenarios too.
-
-        UsageError, with one line for the user, where one can not be read or lies elsewhere.
-        """
-        try:
-            every = scenarios(project)
-        except UsageError:
-            every = []
-        root = Path(project.root).resolve()
-        named = []
-        for one in every:
-            there = one.resolve()
-            if not there.is_relative_to(root):
-                raise UsageError(self.tr("{0} is not in this project.").format(one.name))
-            named.append(there.relative_to(root).as_posix())
-        found = {file: self._session.value(file) for file in (*beside.files(project), *named)}
-        for file in named:
-            if found[file] is None:
-                found[file], _ = read(self._session.disk.read(file), file)
-        return {file: value for file, value in found.items() if value is not None}
 
     def _commit(
         self,
