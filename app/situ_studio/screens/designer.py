@@ -115,6 +115,7 @@ class Designer(QWidget):
         shown, side, bar, sheet = self.shown, self.side, self.bar, self.sheet
         shown.edited.connect(self.edited)
         self.guiding.edited.connect(self.edited)
+        shown.selection_changed.connect(self._show_layers)
         shown.selection_changed.connect(self.selection_changed)
         shown.status.connect(self.status)
         shown.filled_in.connect(self.filled_in)
@@ -186,12 +187,15 @@ class Designer(QWidget):
         here = here or self.tr("In every state")
         self.crumbs.show_way((application.name, here, self.tr("Screen")))
         self.strip.show_state(application, place)
-        chosen = self.sheet.selected
-        if selected[:1] == ((*place, "screen"),):
-            chosen = (BACKGROUND,)
-        self.side.layers.show_screen(self.shown.screen, chosen, self.shown.problems)
+        self._show_layers(selected)
         self._show_values()
         self.guiding.show_document(application)
+
+    def _show_layers(self, selected: tuple[Place, ...]) -> None:
+        chosen = self.sheet.selected
+        if selected[:1] == ((*self.shown.place, "screen"),):
+            chosen = (BACKGROUND,)
+        self.side.layers.show_screen(self.shown.screen, chosen, self.shown.problems)
 
     def _show_values(self) -> None:
         screen, above = self.shown.screen, self.shown.above

@@ -38,6 +38,7 @@ from situ_studio.screens.template_tiles import dragged as dragged_template
 
 LEFT = Qt.MouseButton.LeftButton
 ALT = Qt.KeyboardModifier.AltModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
 NONE = Qt.KeyboardModifier.NoModifier
 
 Copy = Callable[[str], Path]
@@ -451,6 +452,34 @@ def test_what_lies_on_the_screen_is_selected_and_dragged_into_another_order(desk
     desk.settle()
     assert desk.selected == (("state", "2", "screen"),)
     assert [index.row() for index in layers.selectedIndexes()] == [4]
+
+
+def test_the_list_of_what_lies_on_the_screen_follows_what_is_selected_there(desk: Desk) -> None:
+    desk.go_to("2")
+    layers = desk.designer.side.layers
+
+    def marked() -> set[str]:
+        return {layers.ids[index.row()] for index in layers.selectedIndexes()}
+
+    for where, held, ids in (
+        ((80, 40), NONE, {"robot"}),
+        ((50, 82), NONE, {"continue"}),
+        ((80, 40), SHIFT, {"continue", "robot"}),
+        ((2, 97), NONE, set()),
+    ):
+        QTest.mouseClick(desk.sheet, LEFT, held, desk.at(*where))
+        desk.settle()
+        assert set(desk.sheet.selected) == ids
+        assert marked() == ids
+    desk.sheet.setFocus()
+    QTest.keyClick(desk.sheet, Qt.Key.Key_Tab)
+    assert marked() == set(desk.sheet.selected) == {"hello"}
+    # And the other way: with the keyboard in the list, what is behind all of it among them.
+    layers.setFocus()
+    QTest.keyClick(layers, Qt.Key.Key_Up, SHIFT)
+    assert marked() == set(desk.sheet.selected) == {"hello", "who"}
+    QTest.keyClick(layers, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert marked() == set(desk.sheet.selected) == {"hello", "who", "robot", "continue"}
 
 
 def test_a_tag_is_put_into_a_text_by_a_press_or_a_drop(desk: Desk) -> None:
