@@ -17,6 +17,7 @@ from situ_studio.screens.sheet import Sheet
 
 NEAR = 4.0
 """Px from a guide at which the mouse takes it."""
+PRESSES = (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonDblClick)
 
 
 class Guiding(QObject):
@@ -158,15 +159,17 @@ class Guiding(QObject):
         if isinstance(event, QKeyEvent):
             escape = event.key() == Qt.Key.Key_Escape and self._dragging
             if escape:
+                # Asked whether it is a shortcut's, and pressed: both are the drag's.
                 event.accept()
-                self._end()
-                self._show()
+                if event.type() == QEvent.Type.KeyPress:
+                    self._end()
+                    self._show()
             return escape
         if not isinstance(event, QMouseEvent) or not isinstance(watched, QWidget):
             return False
         at = QPointF(watched.mapTo(self._ground, event.position().toPoint()))
         kind, free = event.type(), bool(event.modifiers() & Qt.KeyboardModifier.AltModifier)
-        if kind == QEvent.Type.MouseButtonPress and event.button() == Qt.MouseButton.LeftButton:
+        if kind in PRESSES and event.button() == Qt.MouseButton.LeftButton:
             return self._press(watched, at)
         if kind == QEvent.Type.MouseMove and self._dragging:
             return self._drag(at, free)

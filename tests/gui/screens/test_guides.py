@@ -167,9 +167,23 @@ def test_a_guide_comes_out_of_a_ruler_goes_with_the_mouse_and_back_into_the_rule
     assert used.session.undo_text == "Remove a guide"
     drawing.undo()
     assert drawing.guides[0] == f"x{no.x:g}"
-    # One that is let go over the ruler it came from was never there.
+    # One that is let go over the ruler it came from was never there, nor one that is given up;
+    # what is selected stays so.
     drawing.drag(drawing.beside, QPoint(4, 200), QPoint(6, 220))
     assert len(drawing.guides) == 2
+    drawing.sheet.choose(("no",))
+    drawing.drag(drawing.beside, QPoint(4, 200), drawing.spot(70, 30), release=False)
+    used.key(Qt.Key.Key_Escape)
+    QTest.mouseRelease(drawing.beside, LEFT, NONE, QPoint(4, 200))
+    assert len(drawing.guides) == 2
+    assert drawing.sheet.selected == ("no",)
+    # A double click takes it as a click does: arrows move it.
+    for press in (QTest.mouseClick, QTest.mouseDClick):
+        press(ground, LEFT, NONE, start)
+    used.settle()
+    used.key(Qt.Key.Key_Right, ALT)
+    assert used.session.undo_text == "Move a guide"
+    assert drawing.sheet.selected == ("no",)
 
 
 def test_arrows_move_the_guide_that_has_the_focus_and_delete_removes_it(drawing: Drawing) -> None:
