@@ -108,6 +108,25 @@ def test_between_two_that_differ_in_their_distance_to_utc_nothing_is_known() -> 
     assert at(found, 9_110.0) == at(summer, 9_110.0)
 
 
+def test_of_summer_time_that_began_before_what_was_seen_no_trace_tells() -> None:
+    """Who comes after the night of the change: no event names the time zone of the robot."""
+    changed = 4_180.0  # at 01:00 UTC
+    winter, summer = kept(NOON, HOUR, 10_000), kept(NOON, 2 * HOUR, 10_000)
+    truth = [one for one in winter if one.t < changed]
+    truth += [one for one in summer if one.t >= changed]
+    came = 9_000.0
+    found = followed([event(t) for t in (0.0, 600.0, 9_110.0)], standing(truth, came))
+    # Rightly from the change on; before it as if it had been before, too: an hour too much.
+    for t in (changed + 60.02, came, 9_110.02):
+        assert at(found, t)[TIME] == at(truth, t)[TIME]
+    assert (at(truth, 600.0)[TIME], at(found, 600.0)[TIME]) == ("01:00", "02:00")
+    # Who has seen one before the change as well is told nothing that is wrong.
+    both = followed(
+        [event(t) for t in (0.0, 600.0, 9_110.0)], [*standing(truth, 0.0), *standing(truth, came)]
+    )
+    assert at(both, 600.0)[TIME] is None
+
+
 def test_a_day_before_and_after_what_was_seen_it_is_not_known() -> None:
     truth = kept(NOON, HOUR, 4 * FAR)
     seen = standing(truth, 2 * FAR)
