@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from msgspec import Struct
-from msgspec.structs import fields, replace
+from msgspec.structs import replace
 
 from situ.document import codec
 from situ.document.aside import EDITOR, Aside
@@ -93,7 +93,8 @@ def without_editor(value: Any) -> Any:
     if isinstance(value, tuple):
         return tuple(without_editor(one) for one in value)
     if isinstance(value, Struct):
-        held = {one.name: getattr(value, one.name) for one in fields(value)}
+        # Their names alone: msgspec's fields() reads a class's annotations anew each time.
+        held = {name: getattr(value, name) for name in value.__struct_fields__}
         return replace(
             value,
             **{

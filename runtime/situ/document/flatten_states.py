@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, TypeVar
 
 from msgspec import Struct
-from msgspec.structs import fields, replace
+from msgspec.structs import replace
 
 from situ.document.aside import NOTHING, Aside
 from situ.document.rbd import AGAIN, BACK, State
@@ -58,7 +58,7 @@ def bare(value: Bare) -> Bare:
     if isinstance(value, tuple):
         return tuple(bare(one) for one in value)  # type: ignore[return-value]
     assert isinstance(value, Struct)
-    held = {one.name: getattr(value, one.name) for one in fields(value)}
+    held = {name: getattr(value, name) for name in value.__struct_fields__}
     return replace(
         value,
         **{

@@ -209,9 +209,9 @@ def _plain(value: Any) -> Any:
         return [_plain(one) for one in value]
     if isinstance(value, Struct):
         held = {
-            field.name: _plain(getattr(value, field.name))
-            for field in structs.fields(value)
-            if field.name != "aside"
+            name: _plain(getattr(value, name))
+            for name in value.__struct_fields__
+            if name != "aside"
         }
         return {"struct": type(value).__name__, **held}
     return value
