@@ -1,8 +1,8 @@
 """Every command of the studio in one table, put together of one file a subject.
 
 Menus, context menus, toolbar, shortcuts, the command palette and the list of shortcuts are made
-from it (``menus.Actions``), in its order. A command's handler is a method of
-``commands.Commands``, its ``when`` a method of the same that says whether it can be done now.
+from it (``commands.menus.Actions``), in its order. A command's handler is a method of
+``commands.commands.Commands``, its ``when`` one of the same that says whether it can be done now.
 """
 
 from __future__ import annotations

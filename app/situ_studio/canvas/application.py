@@ -41,7 +41,7 @@ class ApplicationCanvas(CommandedCanvas, Copying):
     """Shows an application; gestures become ``edited`` (canvas.md)."""
 
     work_begun = Signal(str, object)
-    """Something goes on beside the window: what, and the job, as ``working.follow`` takes it."""
+    """Something goes on beside the window: what, and the job (``processes.working.follow``)."""
     filled_in = Signal(tuple)
     """The place of a new state that is to be named."""
     screen_asked = Signal(tuple)

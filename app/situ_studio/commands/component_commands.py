@@ -178,7 +178,7 @@ class ComponentCommands(QObject):
     # -- order and text --------------------------------------------------------------------
 
     def order(self, way: ordering.Way) -> None:
-        """Puts what is selected before or behind others, as ``ordering.reordered`` says."""
+        """Puts what is selected before or behind others, as ``screens.ordering`` says."""
         found, document = self._of(self.chosen), self._window.current_document
         if found is None or document is None:
             return

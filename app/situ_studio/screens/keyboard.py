@@ -29,7 +29,7 @@ KEYS: tuple[tuple[str, str], ...] = (
     ("Alt while dragging", "Free of guides and grid"),
     ("Alt+click", "What lies under the selected component"),
 )
-"""With what a person reads of each (``shortcuts``)."""
+"""With what a person reads of each (``commands.shortcuts``)."""
 
 ARROWS = {
     Qt.Key.Key_Left: (-1, 0),

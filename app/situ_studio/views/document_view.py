@@ -36,7 +36,7 @@ class DocumentView(QWidget):
     screen_asked = Signal(tuple)
     """The place whose screen is to be drawn, in the view made for it."""
     work_begun = Signal(str, object)
-    """Something goes on beside the window: what, and the job, as ``working.follow`` takes it."""
+    """Something goes on beside the window: what, and the job (``processes.working.follow``)."""
     filled_in = Signal(tuple)
     """The place whose form is wanted."""
     media_asked = Signal(tuple, str, object)
