@@ -251,3 +251,89 @@ def test_the_panel_below_keeps_its_height_when_something_is_looked_for(
     used.key(Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
     assert used.window.bottom.current == "find"
     assert used.window.docks["bottom"].height() == high
+
+
+# -- the left of a low window --------------------------------------------------------------------
+
+STATES = 8
+"""Rows of the outline that are wanted where the palette can make room for them."""
+
+
+def rows_seen(used: Any) -> int:
+    """States that the outline shows as a whole."""
+    view = used.window.outline.list
+    first = view.visualRect(view.model().index(0, 0))
+    return int(view.viewport().height() // first.height())
+
+
+def seen_as_a_whole(used: Any) -> bool:
+    """The palette, without scrolling."""
+    return bool(used.window.palette_room.height() == used.window.palette_.height())
+
+
+def test_the_outline_of_a_small_window_shows_eight_states_and_the_palette_scrolls(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    window = used.window
+    for file in ("reception.rbd.xml", "modules.xml", "reception.rbd.xml"):
+        window.open_file(file)
+        used.settle()
+    assert rows_seen(used) >= STATES
+    assert not seen_as_a_whole(used)
+    frame = window.palette_.item("frame")
+    assert frame.visibleRegion().isEmpty()
+    window.palette_.item("note").setFocus()
+    used.key(Qt.Key.Key_Tab)
+    assert frame.hasFocus()
+    assert frame.visibleRegion().boundingRect() == frame.rect()
+    window.resize(1280, 900)
+    used.settle()
+    assert rows_seen(used) >= STATES
+    assert seen_as_a_whole(used)
+    window.resize(1280, 800)
+    used.settle()
+    assert rows_seen(used) >= STATES
+    wanted = window.project_tree.height_wanted()
+    used.answers.put("name", "night")
+    window.actions_.actions["duplicate_application"].trigger()
+    assert window.project_tree.height_wanted() > wanted
+    window.open_file("reception.rbd.xml")
+    used.settle()
+    assert rows_seen(used) >= STATES
+
+
+def test_what_other_panels_do_not_need_the_palette_has(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    docks = used.window.docks
+    for name in ("outline", "project"):
+        docks[name].close()
+        used.settle()
+        assert seen_as_a_whole(used), f"{name} is closed"
+        docks[name].show()
+        used.settle()
+        assert not seen_as_a_whole(used)
+    docks["palette"].setFloating(True)
+    used.settle()
+    assert seen_as_a_whole(used)
+    docks["palette"].setFloating(False)
+    used.settle()
+    assert not seen_as_a_whole(used)
+    used.window.tabifyDockWidget(docks["palette"], docks["outline"])
+    used.settle()
+    docks["palette"].raise_()
+    used.settle()
+    assert seen_as_a_whole(used)
+
+
+def test_a_layout_kept_by_a_large_window_gives_a_small_ones_outline_its_rows(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    used.window.resize(1280, 1000)
+    used.settle()
+    widen(used, "project", 40)
+    used.window.close()
+    again = studio(used.session.root)
+    assert again.window.height() == 800
+    assert rows_seen(again) >= STATES
