@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QFrame, QScrollBar
 
 from situ_studio.edits import places
 from situ_studio.edits.vocabulary import Vocabulary
+from situ_studio.looks.theme import LIGHT
 from situ_studio.panels.conditions import AddTest
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -80,6 +81,31 @@ def test_a_form_too_high_for_its_panel_is_as_wide_as_the_others(
     top = form(used).y()
     QTest.mouseClick(bar, LEFT, pos=QPoint(5, bar.height() - 4))
     assert form(used).y() < top
+
+
+def test_lines_of_a_long_note_end_before_its_bar_where_panels_come_back_as_they_were(
+    studio: Start, project: Copy
+) -> None:
+    path = project("reception")
+    studio(path).window.close()
+    note = form(studio(path)).field("note")
+    block = note.document().firstBlock().layout()
+    room = note.viewport().width() - 2 * note.document().documentMargin()
+    assert note.verticalScrollBar().isVisible()
+    assert {block.lineAt(at).width() for at in range(block.lineCount())} == {room}
+
+
+def test_a_field_of_several_lines_stays_in_its_place_where_it_gets_the_focus(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    note, name = form(used).field("note"), form(used).field("name")
+    used.click(name)
+    before = note.viewport().geometry()
+    assert note.grab().toImage().pixelColor(note.width() // 2, 0) == LIGHT.color("line")
+    used.click(note)
+    assert note.hasFocus()
+    assert note.viewport().geometry() == before
 
 
 def test_rows_are_moved_by_keys(studio: Start, project: Copy) -> None:

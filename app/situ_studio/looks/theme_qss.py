@@ -125,6 +125,7 @@ QLabel[role="pill"] {{ font-size: 11px; font-weight: 500; border-radius: 4px; pa
 QLabel[role="count"] {{ font-size: 11px; font-weight: 500; border-radius: 8px; padding: 0 5px;
   background: {hover}; color: {text2}; }}
 
+QScrollArea, QAbstractScrollArea {{ border: 0; }}
 QLineEdit, QPlainTextEdit, QComboBox, QAbstractSpinBox {{ border: 1px solid {line};
   border-radius: 6px; background: {field}; color: {text}; selection-background-color: {accent};
   selection-color: {on_accent}; placeholder-text-color: {text3}; }}
@@ -184,7 +185,6 @@ QHeaderView::section {{ background: {panel}; color: {text2}; border: 0;
   font-weight: 600; }}
 QHeaderView::section:first {{ padding-left: 12px; }}
 QTableView QHeaderView::section, QTableView QHeaderView::section:first {{ padding: 0 8px; }}
-QScrollArea, QAbstractScrollArea {{ border: 0; }}
 QScrollArea > #qt_scrollarea_viewport {{ background: {panel}; }}
 QScrollArea[role="page"] {{ border-top: 1px solid {line}; }}
 QScrollArea[role="page"] > #qt_scrollarea_viewport {{ background: {window}; }}

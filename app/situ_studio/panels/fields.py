@@ -10,7 +10,7 @@ from itertools import compress, count
 from operator import ne
 from typing import Any
 
-from PySide6.QtCore import QEvent, QRectF, QStringListModel, Qt, Signal
+from PySide6.QtCore import QEvent, QRectF, QSize, QStringListModel, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QDropEvent,
@@ -20,6 +20,7 @@ from PySide6.QtGui import (
     QPainter,
     QPaintEvent,
     QResizeEvent,
+    QShowEvent,
     QWheelEvent,
 )
 from PySide6.QtWidgets import (
@@ -261,6 +262,11 @@ class Paragraph(QPlainTextEdit):
         super().resizeEvent(event)
         # A narrower one has more lines.
         self.on_size_changed()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        # Lines that were broken before it was seen run on below the bar that came with them.
+        self.resizeEvent(QResizeEvent(self.viewport().size(), QSize()))
 
     def on_size_changed(self) -> None:
         lines = min(8, max(2, int(self.document().size().height())))
