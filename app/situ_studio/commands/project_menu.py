@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QMenu
 
 from situ.document.beside import Toml
 from situ.document.folder import PROJECT_FILE
+from situ_studio.edits import new_information
 from situ_studio.looks import icons
 from situ_studio.panels.lists import PLACE
-from situ_studio.project import new_information
 from situ_studio.widgets.icon_widgets import IconButton
 
 if TYPE_CHECKING:

@@ -8,8 +8,7 @@ from situ.document.folder import PROJECT_FILE
 from situ.document.spds import Entry, Spds
 from situ_studio.commands.state_commands import StateCommands
 from situ_studio.copying import script_copies
-from situ_studio.edits import places
-from situ_studio.project import new_script
+from situ_studio.edits import new_script, places
 
 
 class SituationCommands(StateCommands):

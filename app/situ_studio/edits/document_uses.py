@@ -24,10 +24,10 @@ from situ.document.modules import Modules
 from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import Spds
-from situ_studio.edits import mentions, renames, scenario_names
+from situ_studio.edits import mentions, new_script, project_documents, renames, scenario_names
 from situ_studio.edits.edit import Document, Lines, Written
 from situ_studio.edits.mentions import Found
-from situ_studio.project import new_script, project_documents
+from situ_studio.wording import language
 from situ_studio.wording.language import tr
 
 END = ".rbd.xml"
@@ -254,40 +254,33 @@ def _in_texts(texts: Catalogue, file: str, new: str) -> Catalogue | None:
     return replace(texts, translations=tuple(moved))
 
 
-def _counted(count: int) -> str:
-    if count == 1:
-        return tr("1 place that names it as a module")
-    return tr("{0} places that name it as a module").format(count)
+def _counted(number: int) -> str:
+    one = tr("1 place that names it as a module")
+    return language.count(number, one, tr("{0} places that name it as a module"))
 
 
-def _lines(count: int) -> str:
-    return (
-        tr("1 line of the scenario")
-        if count == 1
-        else tr("{0} lines of the scenario").format(count)
-    )
+def _lines(number: int) -> str:
+    one = tr("1 line of the scenario")
+    return language.count(number, one, tr("{0} lines of the scenario"))
 
 
-def _running(count: int) -> str:
-    return tr("1 state that runs it") if count == 1 else tr("{0} states that run it").format(count)
+def _running(number: int) -> str:
+    return language.count(number, tr("1 state that runs it"), tr("{0} states that run it"))
 
 
-def _lacking(count: int) -> str:
-    if count == 1:
-        return tr("1 state runs it, and will have nothing to run")
-    return tr("{0} states run it, and will have nothing to run").format(count)
+def _lacking(number: int) -> str:
+    one = tr("1 state runs it, and will have nothing to run")
+    return language.count(number, one, tr("{0} states run it, and will have nothing to run"))
 
 
-def _asking(count: int) -> str:
-    if count == 1:
-        return tr("1 place that asks for the situation")
-    return tr("{0} places that ask for the situation").format(count)
+def _asking(number: int) -> str:
+    one = tr("1 place that asks for the situation")
+    return language.count(number, one, tr("{0} places that ask for the situation"))
 
 
-def _declared(count: int) -> str:
-    if count == 1:
-        return tr("1 place that names a module declared in it")
-    return tr("{0} places that name a module declared in it").format(count)
+def _declared(number: int) -> str:
+    one = tr("1 place that names a module declared in it")
+    return language.count(number, one, tr("{0} places that name a module declared in it"))
 
 
 def _where(document: Document) -> str:

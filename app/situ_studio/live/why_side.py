@@ -16,7 +16,7 @@ from situ.document.project import Project
 from situ.rehearse.reason import Answer, Reason
 from situ.rehearse.scenario import WRITER
 from situ.rehearse.telling import Teller
-from situ_studio.edits import places
+from situ_studio.edits import places, project_documents
 from situ_studio.edits.edit import Document, Place
 from situ_studio.edits.words import state_alone
 from situ_studio.live.by_clock import by_clock
@@ -31,7 +31,6 @@ from situ_studio.live.why_places import meant_by, priorities, tags_of, where
 from situ_studio.looks.theme import Theme
 from situ_studio.panels.blackboard import ago
 from situ_studio.panels.why import Link, Why
-from situ_studio.project import project_documents
 from situ_studio.wording.language import said
 
 if TYPE_CHECKING:

@@ -26,10 +26,10 @@ from situ.document.rbd import Application, State
 from situ.document.spds import Spds
 from situ.errors import UsageError
 from situ_studio.canvas.gestures import mark_start
+from situ_studio.edits import new_script
 from situ_studio.edits.document_uses import END, listed
 from situ_studio.edits.edit import Written
 from situ_studio.looks import icons
-from situ_studio.project import new_script
 from situ_studio.wording.language import said
 
 if TYPE_CHECKING:

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from msgspec import Struct
 
 from situ.document import beside, catalogue
 from situ.document.beside import Toml
 from situ.document.folder import PROJECT_FILE
 from situ.document.problem import Problem
+from situ_studio.edits import new_script
 from situ_studio.edits.edit import Written
-from situ_studio.project import new_script
-from situ_studio.project.session import Session
 from situ_studio.texts.model import language_name
 from situ_studio.wording.language import tr
+
+if TYPE_CHECKING:
+    from situ_studio.project.session import Session
 
 
 class Begun(Struct, frozen=True):

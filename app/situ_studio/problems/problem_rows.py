@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from situ.document.problem import Problem
 from situ_studio.edits import words
 from situ_studio.edits.edit import Document, Place
 from situ_studio.panels.project_tree import stem
-from situ_studio.project.session import Session
 from situ_studio.wording.language import tr
+
+if TYPE_CHECKING:
+    from situ_studio.project.session import Session
 
 
 def rows(session: Session, current_file: str | None) -> list[tuple[Problem, str]]:

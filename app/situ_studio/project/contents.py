@@ -14,8 +14,8 @@ from situ.document.folder import PROJECT_FILE
 from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.errors import UsageError
+from situ_studio.edits import project_documents
 from situ_studio.edits.edit import Document, Lines, Written, read
-from situ_studio.project import project_documents
 from situ_studio.project.folder_watch import FolderWatch
 
 Taken = Callable[[str, Beside | None, Beside | None], None]

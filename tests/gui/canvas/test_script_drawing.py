@@ -24,10 +24,9 @@ from situ_studio.canvas import script_conditions as conditions
 from situ_studio.canvas.script_layout import Pills, spread
 from situ_studio.canvas.script_projection import picture
 from situ_studio.canvas.script_rows import tests as every_test
-from situ_studio.edits import places, words
+from situ_studio.edits import new_script, places, words
 from situ_studio.edits.notes import annotate, note_of
 from situ_studio.panels.test_box import listed, several
-from situ_studio.project import new_script
 
 TAGS = ("a", "b.c", "d")
 TESTS = st.builds(Question, st.sampled_from(TAGS), st.just("is"), st.just("true"))

@@ -24,10 +24,9 @@ from situ.document.folder import sources
 from situ.document.rbd import Application, Event, Set
 from situ.document.ready import load_ready
 from situ.resources import examples
-from situ_studio.edits import places
+from situ_studio.edits import places, project_documents
 from situ_studio.edits.edit import Document, Place
 from situ_studio.live.counterpart import counterpart
-from situ_studio.project import project_documents
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 EXAMPLES = sorted(examples())
