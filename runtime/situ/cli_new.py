@@ -20,6 +20,12 @@ def add(commands: Any) -> None:
     parser.add_argument(
         "--template", default="empty", metavar="NAME", help="what to start from; empty unless given"
     )
+    parser.add_argument(
+        "--language",
+        default="en",
+        metavar="LANG",
+        help="the language in which it is written: en unless given, or ja",
+    )
     parser.set_defaults(run=run)
 
 
@@ -28,6 +34,6 @@ def run(args: argparse.Namespace) -> int:
     from situ.resources import template
 
     source = template(args.template)
-    begin(source, args.folder, project_name(args.folder.resolve().name))
+    begin(source, args.folder, project_name(args.folder.resolve().name), args.language)
     print(f"{args.folder}: made from the template {args.template}; now: situ studio {args.folder}")
     return 0

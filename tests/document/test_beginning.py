@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 from pathlib import Path
 
 import pytest
@@ -12,9 +13,10 @@ from hypothesis import strategies as st
 
 from situ.cli import main
 from situ.document import codec
-from situ.document.beginning import PLACEHOLDER, begin, project_name
+from situ.document.beginning import PLACEHOLDER, begin, languages, project_name
 from situ.document.check import check
 from situ.document.folder import load
+from situ.document.texts_table import rows
 from situ.errors import UsageError
 from situ.resources import template, templates
 
@@ -25,13 +27,14 @@ def test_there_are_templates() -> None:
     assert list(templates()) == ["conversation", "empty", "reception"]
 
 
+@pytest.mark.parametrize("language", ["en", "ja"])
 @pytest.mark.parametrize("name", ["my-robot", "conversation", "sound", "hello"])
 @pytest.mark.parametrize("kind", templates())
 def test_a_new_project_has_no_warning_and_its_scenarios_pass(
-    kind: str, name: str, tmp_path: Path, capsys: Captured
+    kind: str, name: str, language: str, tmp_path: Path, capsys: Captured
 ) -> None:
     target = tmp_path / "new" / name
-    assert main(["new", str(target), "--template", kind]) == 0
+    assert main(["new", str(target), "--template", kind, "--language", language]) == 0
     assert capsys.readouterr() == (
         f"{target}: made from the template {kind}; now: situ studio {target}\n",
         "",
@@ -40,6 +43,7 @@ def test_a_new_project_has_no_warning_and_its_scenarios_pass(
     assert project is not None
     assert [str(problem) for problem in (*problems, *check(project))] == []
     assert project.name == name
+    assert project.languages == (language,)
     assert [one.name for one in project.applications.values()] == [name]
     assert list(project.applications) == [f"{name}.rbd.xml"]
     assert main(["test", str(target)]) == 0
@@ -49,6 +53,44 @@ def test_a_new_project_has_no_warning_and_its_scenarios_pass(
     for scenario in sorted(target.glob("scenarios/*.jsonl")):
         assert main(["simulate", str(target), "--script", str(scenario)]) == 0
     assert not [one for one in target.rglob("*") if PLACEHOLDER in one.name]
+
+
+@pytest.mark.parametrize("kind", templates())
+def test_begun_in_another_language_nothing_is_left_of_english(kind: str, tmp_path: Path) -> None:
+    target = tmp_path / "robot"
+    assert languages(template(kind)) == ["en", "ja"]
+    begin(template(kind), target, "robot", "ja")
+    project, _ = load(target)
+    assert project is not None
+    (application,) = project.applications.values()
+    said = [row.text for row in rows(project)]
+    notes = re.findall(r"<!--.*?-->", "".join(f.read_text() for f in target.glob("*.xml")))
+    described = (
+        [one.description or "" for one in project.modules.modules] if project.modules else []
+    )
+    named = [one.name or "" for one in application.states]
+    named += [one.name for one in project.spds.situations] if project.spds else []
+    for text in (*said, *notes, *described, *named):
+        assert re.search("[ぁ-んァ-ヶ一-龯]", text), text
+    assert not (target / "texts").exists()
+    assert {file.name for file in target.iterdir()} == {
+        file.name.replace(PLACEHOLDER, "robot") for file in template(kind).iterdir()
+    } - {"texts"}
+
+
+def test_a_language_that_a_template_does_not_have_is_refused_with_those_it_has(
+    tmp_path: Path, capsys: Captured
+) -> None:
+    assert main(["new", str(tmp_path / "a"), "--language", "fr"]) == 2
+    said = "situ: this template has no texts in 'fr'; it has them in: en, ja\n"
+    assert capsys.readouterr().err == said
+    assert list(tmp_path.iterdir()) == []
+    broken = tmp_path / "broken"
+    shutil.copytree(template("empty"), broken)
+    (broken / "texts" / "ja.po").write_text("nothing of this kind\n")
+    with pytest.raises(UsageError, match="texts/ja.po:1"):
+        begin(broken, tmp_path / "a", "a", "ja")
+    assert [one.name for one in tmp_path.iterdir()] == ["broken"]
 
 
 @pytest.mark.parametrize("kind", templates())

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 from tests.document.care_projects import (
     BUTTON,
     MORNING,
@@ -71,6 +72,15 @@ def test_a_home_button_leads_to_the_start_and_a_repeat_button_says_it_again() ->
         ("Home", "clickHome"),
         ("Repeat", "clickRepeat"),
     }
+
+
+def test_the_buttons_are_called_in_the_language_of_the_project() -> None:
+    project = replace(whole(asking()), languages=("ja", "en"))
+    shared = first(both(project)).always
+    assert shared is not None
+    assert shared.screen is not None
+    named = {(c.id, c.text, c.event) for c in shared.screen.components}  # type: ignore[attr-defined]
+    assert named == {("home", "ホーム", "clickHome"), ("repeat", "もう一度", "clickRepeat")}
 
 
 @pytest.mark.parametrize(

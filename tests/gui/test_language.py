@@ -56,6 +56,19 @@ def test_the_window_speaks_the_language_that_was_chosen(
     assert choose(japanese, "English").window.headers["outline"].title.text() == "Outline"
 
 
+def test_a_project_is_begun_in_the_language_that_is_spoken(
+    studio: Callable[..., Studio], tmp_path: Path
+) -> None:
+    japanese = choose(studio(), "日本語")
+    japanese.answers.put("name", "my-robot")
+    japanese.answers.put("new_folder", str(tmp_path))
+    japanese.key(Qt.Key.Key_N, Qt.KeyboardModifier.ControlModifier)
+    project = japanese.session.project
+    assert project.languages == ("ja",)
+    (state,) = project.applications["my-robot.rbd.xml"].states
+    assert state.name == "はじめ"
+
+
 def test_nothing_that_is_open_is_lost_with_the_language(
     studio: Callable[..., Studio], project: Callable[[str], Path]
 ) -> None:

@@ -13,6 +13,7 @@ from situ.errors import SituError
 from situ_studio.commands.situation_commands import SituationCommands
 from situ_studio.files.opening import Reading, is_large
 from situ_studio.project import projects
+from situ_studio.wording.language import spoken
 
 
 class FileCommands(SituationCommands):
@@ -23,7 +24,10 @@ class FileCommands(SituationCommands):
         return str(Path(there[0]).parent) if there else str(Path.home())
 
     def new_project(self, template: str = "empty") -> None:
-        """Makes a project of a template, named and put where the person says, and opens it."""
+        """Makes a project of a template, named and put where the person says, and opens it.
+
+        It is written in the language that the studio speaks: that of who begins it.
+        """
         dialogs = self._window.dialogs
         given = dialogs.name(self.tr("New project"), self.tr("Name"), "my-robot")
         if given is None:
@@ -31,7 +35,8 @@ class FileCommands(SituationCommands):
         name = project_name(given)
         parent = dialogs.new_folder(self._home(), self.tr("Where shall its folder be?"))
         if parent is not None:
-            self._open(partial(projects.new_project, Path(parent), name, template), new=True)
+            make = partial(projects.new_project, Path(parent), name, template, spoken())
+            self._open(make, new=True)
 
     def open_project(self) -> None:
         path = self._window.dialogs.project(self._home())

@@ -6,19 +6,21 @@ import shutil
 from collections.abc import Mapping
 from pathlib import Path
 
-from situ.document.beginning import begin
+from situ.document.beginning import ENGLISH, begin, languages
 from situ.document.project import Project
 from situ.errors import UsageError
 from situ.resources import example, template
 
 
-def new_project(parent: Path, name: str, kind: str = "empty") -> Path:
-    """Makes the folder ``name`` in ``parent`` from the template ``kind``.
+def new_project(parent: Path, name: str, kind: str = "empty", language: str = ENGLISH) -> Path:
+    """Makes the folder ``name`` in ``parent`` from the template ``kind``, written in ``language``,
+    or in English where the template has no texts in it.
 
     Raises UsageError where the name is none, the folder holds anything, or can not be made.
     """
     target = parent / name
-    begin(template(kind), target, name)
+    source = template(kind)
+    begin(source, target, name, language if language in languages(source) else ENGLISH)
     return target
 
 

@@ -63,6 +63,11 @@ def language_of(choice: str, wanted: list[str] | None = None) -> str:
     return "en"
 
 
+def spoken() -> str:
+    """The code of the language that the studio speaks now."""
+    return language_of(QLocale().name().partition("_")[0], [])
+
+
 class Speaking(QObject):
     """What makes the application speak a language: the translators that are installed.
 

@@ -32,6 +32,9 @@ from situ.document.rbd import (
 SIZES = ((18.0, 12.0), (14.0, 10.0), (10.0, 9.5))
 """Width and height of a button, the best first: none below ``care_screen.TARGET``."""
 
+WORDS = {"ja": {"Home": "ホーム", "Repeat": "もう一度"}}
+"""What stands on a button, and is said, in projects that are not written in English."""
+
 EDGE, STEP = 3, 2
 """Percent between a button and the screen's edge, and from one place that is tried to the next."""
 
@@ -61,11 +64,13 @@ def _adds(
         return None
     taken = {e.name or "" for one in search.project.flows.values() for e, _ in events(one)}
     event = Event(name=_another(f"click{called}", taken), next=target, actions=actions)
+    language = next(iter(search.project.languages), "en")
+    text = WORDS.get(language, {}).get(called, called)
     every = list(screens(application))
     spot = _free(list(_around(search, file, application)), called == "Home") if every else None
     if spot is None:
-        event = replace(event, says=(Say(called.lower()),))
-        said = f"Let people say “{called.lower()}” in every state"
+        event = replace(event, says=(Say(text.lower()),))
+        said = f"Let people say “{text.lower()}” in every state"
         return search.mend(file, said, *_into(application, event, None))
     ids = {component.id for screen, _ in every for component in screen.components}
     x, y, width, height = spot
@@ -76,9 +81,9 @@ def _adds(
         width=width,
         height=height,
         event=event.name,
-        text=called,
+        text=text,
     )
-    said = f"Add a {called} button to every state"
+    said = f"Add a {text} button to every state"
     return search.mend(file, said, *_into(application, event, button))
 
 
