@@ -142,6 +142,20 @@ def test_what_comes_from_the_room_afterwards_is_a_call_as_any(
     assert [(one.why, one.left) for one in office.store.calls()] == [("help", False)]
 
 
+@pytest.mark.parametrize("readings", [True, False])
+def test_a_call_that_the_robot_had_still_is_one_of_who_has_moved_out(
+    office: Office, jack: Resident, readings: bool
+) -> None:
+    joan = office.store.add(7, "Joan Nikora", "2718")
+    office.moving_out.remove(jack.id, readings=readings)
+    for user in (str(jack.id), jack.id, joan.id, "", None, "Jack"):
+        office.store.keep({"kind": "call", "why": "help", "room": 12, "user": user})
+    assert sorted(one.id for one in office.store.calls() if one.left) == [1, 2]
+    for one in office.store.calls():
+        office.store.see(one.id)
+    assert sorted(one.id for one in office.store.calls()) == [3, 4, 5, 6]
+
+
 def test_who_lived_together_leaves_no_call_with_the_last_of_them(
     office: Office, jack: Resident
 ) -> None:

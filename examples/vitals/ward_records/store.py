@@ -252,7 +252,8 @@ class Store:
     # -- what the robot tells ----------------------------------------------------
 
     def keep(self, told: Mapping[str, Any]) -> None:
-        """A reading ``{"kind", "user", …}`` or a call ``{"kind": "call", "why", "room"}``.
+        """A reading ``{"kind", "user", …}`` or a call ``{"kind": "call", "why", "room"}``,
+        with its ``user``, too, where it is known who calls.
 
         Numbers may be texts that read as numbers. Raises Unfit, Unknown; MovedOut where all that
         was measured of them was taken away.
@@ -294,8 +295,13 @@ class Store:
         # From wherever it comes: a call is never refused for what its sensor did not say.
         room = room or "place not known"
         with self._db:
-            self._db.execute(
+            made = self._db.execute(
                 "INSERT INTO call (at, why, room) VALUES (?, ?, ?)", (self.time(), why, room)
+            )
+            # The robot had it still when they moved out.
+            self._db.execute(
+                "INSERT INTO call_left SELECT ? FROM moved_out WHERE resident = ?",
+                (made.lastrowid, number_in(told.get("user"))),
             )
 
     # -- what the nurse reads ----------------------------------------------------
