@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from situ.document import codec, folder, rbd, spds
+from situ.document.aside import Aside
 from situ.document.condition import Condition
 from situ.document.condition import Test as Asked
 from situ.document.project import Project
@@ -134,6 +135,14 @@ def test_patterns_that_mean_the_tag_are_usages_and_stay() -> None:
     assert len(mentions.usages(it.every, "tag", "user.name")) == 2
     done = renames.rename(it.project, it.every, "tag", "user.name", "user.first")
     assert (done.count, done.left) == (1, 1)
+
+
+def test_a_comment_that_reads_like_a_pattern_means_no_tag() -> None:
+    clearing = rbd.Clear(tag="user.**", aside=Aside(before=("<!-- user.** -->",)))
+    it = project(rbd.State(no="1", actions=(rbd.Set(tag="user.name", text="x"), clearing)))
+    assert [f.mention.text for f in it.every].count("user.**") == 2
+    assert len(mentions.usages(it.every, "tag", "user.name")) == 2
+    assert renames.rename(it.project, it.every, "tag", "user.name", "user.first").left == 1
 
 
 @pytest.mark.parametrize(

@@ -260,4 +260,5 @@ def _means(role: Role, written: str, name: str) -> bool:
 
 
 def _is_pattern_for(mention: Mention, name: str) -> bool:
-    return "*" in mention.text and not mention.names and matches(mention.text, name)
+    written = "*" in mention.text and not mention.names and mention.attribute != NOTE
+    return written and matches(mention.text, name)
