@@ -88,7 +88,7 @@ def test_a_language_that_a_template_does_not_have_is_refused_with_those_it_has(
     broken = tmp_path / "broken"
     shutil.copytree(template("empty"), broken)
     (broken / "texts" / "ja.po").write_text("nothing of this kind\n")
-    with pytest.raises(UsageError, match="texts/ja.po:1"):
+    with pytest.raises(UsageError, match=r"texts/ja\.po:1"):
         begin(broken, tmp_path / "a", "a", "ja")
     assert [one.name for one in tmp_path.iterdir()] == ["broken"]
 
