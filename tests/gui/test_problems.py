@@ -220,6 +220,14 @@ def test_of_many_problems_the_first_stand_above_the_form_and_a_button_shows_the_
     assert (seen(), more()) == (["0", "1", "2", "3"], [])
     show(4, ("state", "1"))
     assert seen() == ["0", "1"]
+    # On a button a single ampersand is not seen.
+    assert found.mend is not None
+    mend = replace(found.mend, words="tea & talk")
+    told.show_problems((replace(found, mend=mend),))
+    used.settle()
+    (button,) = told.findChildren(QPushButton)
+    assert button.text() == "tea && talk"
+    assert button.toolTip() == f"tea & talk\n{found.message}"
     # Where nothing mends them, it goes on to the form.
     told.show_problems(tuple(replace(found, message=f"{n}", mend=None) for n in range(3)))
     used.settle()

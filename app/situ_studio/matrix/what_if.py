@@ -219,7 +219,7 @@ class WhatIf(QWidget):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         now = self.values.get(name)
         for value in (None, *self._presets[name]):
-            action = menu.addAction(value_words(value))
+            action = menu.addAction(value_words(value).replace("&", "&&"))
             action.setCheckable(True)
             action.setChecked(type(value) is type(now) and value == now)
             action.triggered.connect(lambda _=False, v=value: self.suppose(name, v))

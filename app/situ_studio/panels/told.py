@@ -80,9 +80,10 @@ class Told(QWidget):
         self._grid.addWidget(words, row, 1)
         if problem.mend is None:
             return None
-        button = _Mend(said(problem.mend.words))
+        mend = said(problem.mend.words)
+        button = _Mend(mend)
         button.setProperty("role", "mend")
-        button.setToolTip(f"{button.text()}\n{words.text()}")
+        button.setToolTip(f"{mend}\n{words.text()}")
         button.clicked.connect(lambda _=False: self.mend_asked.emit(problem))
         self._grid.addWidget(button, row + 1, 1, Qt.AlignmentFlag.AlignLeft)
         return button
@@ -116,7 +117,7 @@ class _Mend(QPushButton):
     LEAST = 96
 
     def __init__(self, words: str) -> None:
-        super().__init__(words)
+        super().__init__(words.replace("&", "&&"))
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
     def minimumSizeHint(self) -> QSize:
@@ -127,4 +128,5 @@ class _Mend(QPushButton):
         super().initStyleOption(option)
         inside = self.style().subElementRect(QStyle.SubElement.SE_PushButtonContents, option, self)
         room = max(0, inside.width())
-        option.text = self.fontMetrics().elidedText(option.text, Qt.TextElideMode.ElideRight, room)
+        right, keys = Qt.TextElideMode.ElideRight, Qt.TextFlag.TextShowMnemonic
+        option.text = self.fontMetrics().elidedText(option.text, right, room, keys)

@@ -266,7 +266,7 @@ class Desk(OverScroll):
         for event, phrase in self._phrases:
             meant.setdefault(phrase, {})[event] = None
         for phrase, events in meant.items():
-            button = QPushButton(f"“{phrase}”")
+            button = QPushButton(f"“{phrase}”".replace("&", "&&"))
             button.setProperty("role", "answer")
             button.setToolTip(self.tr("A person says that: {0}").format(", ".join(events)))
             heard = inputs.Set({"heard": {"text": phrase, "confidence": 1}}, WRITER)

@@ -156,7 +156,7 @@ class PreviewPage(ScreenPreview):
             (self.tr("The movie ends"), movie.done, walk.end),
             (self.tr("The movie can not be played"), movie.failed, walk.fail),
         ):
-            chosen = menu.addAction(f"{words}  ›  {walk.leads(event)}")
+            chosen = menu.addAction(f"{words}  ›  {walk.leads(event)}".replace("&", "&&"))
             chosen.triggered.connect(partial(self._do, partial(then, movie)))
         at = self.mapToGlobal(area.center().toPoint())
         menu.popup(at - QPoint(menu.sizeHint().width() // 2, 0))

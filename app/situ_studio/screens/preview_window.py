@@ -99,7 +99,8 @@ class PreviewWindow(QDialog):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         for event, to in self.walk.others():
             name = event or self.tr("The time runs out")
-            menu.addAction(f"{name}  ›  {to}").triggered.connect(partial(self._go_on, event))
+            action = menu.addAction(f"{name}  ›  {to}".replace("&", "&&"))
+            action.triggered.connect(partial(self._go_on, event))
         menu.popup(self.others.mapToGlobal(QPoint(0, -menu.sizeHint().height())))
 
     def _go_on(self, event: str, _checked: bool = False) -> None:

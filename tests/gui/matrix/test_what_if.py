@@ -157,12 +157,19 @@ def test_other_values_are_chosen_from_the_menu_or_typed(desk: Make) -> None:
     used = desk(
         read(
             '<spds name="s"><observe><data tag="near" type="number"/>'
-            '<data tag="on" type="boolean"/></observe><situation name="close">'
-            '<condition><data tag="near" below="1.5" for="2"/>'
+            '<data tag="on" type="boolean"/><data tag="wish" type="string"/></observe>'
+            '<situation name="close"><condition><data tag="near" below="1.5" for="2"/>'
             '</condition></situation><situation name="off"><condition><data tag="on" is="false"/>'
-            '</condition></situation><situation name="else"/></spds>'
+            '</condition></situation><situation name="served"><condition>'
+            '<data tag="wish" is="tea &amp; cake"/></condition></situation>'
+            '<situation name="else"/></spds>'
         )
     )
+    # In a menu a single ampersand is not seen.
+    menu = open_menu(used, "wish")
+    assert "tea && cake" in [a.text() for a in menu.actions()]
+    menu.close()
+    used.settle()
     menu = open_menu(used, "near")
     texts = [a.text() for a in menu.actions() if a.text()]
     assert texts == ["not set", "1.35", "1.65"]

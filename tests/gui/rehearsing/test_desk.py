@@ -56,11 +56,14 @@ def test_what_people_may_say_for_several_events_is_offered_once(
     where = project("conversation")
     file = where / "converse.rbd.xml"
     text = file.read_text(encoding="utf-8")
-    file.write_text(text.replace("<say>not now</say>", "<say>yes</say>"), encoding="utf-8")
+    said = "<say>yes</say><say>tea &amp; cake</say>"
+    file.write_text(text.replace("<say>not now</say>", said), encoding="utf-8")
     used = rehearsed(studio(where))
     assert used.state == "1"
     offered = [b for b in used.desk.findChildren(QPushButton) if b.text() == "“yes”"]
     assert [b.toolTip() for b in offered] == ["A person says that: clickYes, clickNo"]
+    # On a button a single ampersand is not seen.
+    assert [b for b in used.desk.findChildren(QPushButton) if b.text() == "“tea && cake”"]
 
 
 def test_an_inspector_that_was_closed_stays_closed_after_a_rehearsal(

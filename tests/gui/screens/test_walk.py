@@ -263,3 +263,23 @@ def test_a_movie_that_says_what_happens_where_it_can_not_be_played_is_tried_both
     used.settle()
     assert used.walk.no == "2"
     assert used.window.said.text().startswith("seen leads to state 2")
+
+
+def test_an_ampersand_in_a_name_is_read_where_the_preview_asks_how_to_go_on(used: Used) -> None:
+    movie = rbd.Movie(id="intro", **BOX, src="a.webm", done="seen", failed="dark")
+    first = state("1", movie, events=(to("seen", "2"), to("dark", "2"), to("said", "2")))
+    second = rbd.State(no="2", name="tea & talk")
+    used.application = rbd.Application(name="a", states=(first, second))
+    used.open("1")
+    # In a menu a single one underlines what follows it, and is not seen.
+    used.click("intro")
+    menu = next(m for m in used.window.findChildren(QMenu) if m.isVisible())
+    assert menu.actions()[1].text() == "The movie can not be played  ›  2 tea && talk"
+    QTest.keyClick(menu, Qt.Key.Key_Escape)
+    used.settle()
+    QTest.mouseClick(used.window.others, LEFT)
+    menu = next(m for m in used.window.findChildren(QMenu) if m.isVisible())
+    assert [one.text() for one in menu.actions()] == ["said  ›  2 tea && talk"]
+    QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(menu.actions()[0]).center())
+    used.settle()
+    assert used.walk.no == "2"
