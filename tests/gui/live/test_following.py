@@ -127,6 +127,56 @@ def test_the_drawing_moves_along_until_that_is_switched_off(
     assert seen("11")
 
 
+def test_a_drawing_that_was_hidden_while_the_robot_went_shows_where_it_is(
+    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
+) -> None:
+    file = tmp_path / "run.mcap"
+    it, events = opened(studio, project("reception"), file, "reception", "new-user.jsonl")
+    window = it.window
+    flow, viewing = window.current_file, window.robot.follower.viewing
+    canvas = window.current_view.canvas
+    canvas.set_zoom(1.0)
+    entered = {e["state"]: e["t"] for e in events if e["kind"] == "enter"}
+
+    def sees(no: str) -> bool:
+        it.settle()
+        uid, _ = canvas._find(("state", no))
+        return bool(canvas.viewer.seen().contains(canvas.card_area(uid)))
+
+    viewing.seek(entered["2"])
+    assert sees("2")
+    # Another tab, and the same one as a table.
+    window.open_file(PART)
+    it.settle()
+    viewing.seek(entered["11"])
+    assert not sees("11")
+    window.open_file(flow)
+    assert sees("11")
+    window.show_mode("outline")
+    it.settle()
+    viewing.seek(entered["16"])
+    window.show_mode("graph")
+    assert sees("16")
+    # Who has looked elsewhere since is left alone, also in a tab that is chosen again.
+    canvas.bring_into_view([("state", "2")])
+    window.open_file(PART)
+    it.settle()
+    window.open_file(flow)
+    assert sees("2")
+    assert not sees("16")
+    # Nor is it moved while that is not wanted; wanted again, it is at once.
+    button = window.toolbar.widgetForAction(window.actions_.actions["follow"])
+    window.open_file(PART)
+    it.settle()
+    viewing.seek(entered["11"])
+    it.click(button)
+    window.open_file(flow)
+    assert sees("2")
+    assert not sees("11")
+    it.click(button)
+    assert sees("11")
+
+
 def test_of_two_drawings_of_one_application_both_move_along(
     studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
 ) -> None:
