@@ -75,6 +75,9 @@ class Guiding(QObject):
                 shown.append(self._proposed)
         focus = next((line.guide for line in self._lines if line.hasFocus()), None)
         wanted, self._wanted = self._wanted or focus, None
+        if focus and wanted not in shown and len(shown) < len(self._lines) and not self._dragging:
+            # Undone: the keys are no other guide's then.
+            self._sheet.setFocus()
         while len(self._lines) > len(shown):
             gone = self._lines.pop()
             if gone.hasFocus():

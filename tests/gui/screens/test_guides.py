@@ -228,6 +228,12 @@ def test_arrows_move_the_guide_that_has_the_focus_and_delete_removes_it(drawing:
     used.window.actions_.actions["guide.upright"].trigger()
     used.window.actions_.actions["guide.lying"].trigger()
     assert drawing.guides == ["x50", "y50"]
+    # One that is undone hands the keyboard to no other guide.
+    used.window.actions_.actions["guide.upright"].trigger()
+    assert [line.hasFocus() for line in drawing.designer.guiding.lines] == [False, True, False]
+    drawing.undo()
+    assert drawing.guides == ["x50", "y50"]
+    assert drawing.sheet.hasFocus()
     used.window.actions_.actions["guide.clear"].trigger()
     assert drawing.guides == []
     used.settle()
