@@ -496,6 +496,27 @@ def test_authority_that_passes_on_is_told_at_once(hand: Any) -> None:
     assert told == [False, True]
 
 
+def test_authority_that_passes_on_while_the_session_is_lost_is_not_held_before_it_is_found_again(
+    hand: Any,
+) -> None:
+    net = Net(hand, Person(role="module", module="chase", resources=("head",))).turn()
+    net.get(net.dialog.acquire("me", ("head",)))
+    hand.hello("nod", resources=["head"])
+    hand.ask("nod", "acquire", resources=["head"])
+    hand.ask("nod", "set", tags={"person.calling": True})
+    net.turn()
+    # Nothing was heard for a lease of ours; the core's is not over, and its notices come still.
+    net.dialog.tick(hand.now / 1e6 + 1.0)
+    assert not is_connected(net)
+    hand.ask("nod", "abandon")
+    for frame in hand.notices:
+        net.dialog.hear(frame, hand.now / 1e6 + 1.0)
+    assert net.dialog.holds == set()
+    net.beat(8)
+    assert is_connected(net)
+    assert net.dialog.holds == {"head"}
+
+
 def test_a_name_that_is_taken_is_waited_for_as_long_as_a_lease(
     make_hand: Callable[..., Any],
 ) -> None:

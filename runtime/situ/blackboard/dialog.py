@@ -146,7 +146,9 @@ class Dialog:
         except (Malformed, ValueError):
             return
         if isinstance(notice, notices.Authority):
-            self._holding.hear(notice)
+            # Without a session nothing is held; the next heartbeat tells what is.
+            if self.connected:
+                self._holding.hear(notice)
         elif isinstance(notice, notices.End):
             self.stopped = True
             if self.connected:
