@@ -214,6 +214,7 @@ def test_what_names_what_a_script_declares_is_told_before_it_is_deleted(
     before = on_disk(tmp_path)
     choose(ward, "ward.spds.xml")
     ward.key(Qt.Key.Key_Delete)
+    assert dialog(ward).list.accessibleName() == "Still refers to what stands in it"
     # What the module information declares too, and the application, need no script.
     assert listed(dialog(ward).list) == [
         "a.rbd.xml: 1 place that asks for the situation",

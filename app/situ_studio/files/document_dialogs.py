@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from situ.document.rbd import Application
 from situ.document.spds import Spds
 from situ_studio.edits.document_uses import Renaming, Use, own_name
 from situ_studio.edits.edit import Document
@@ -116,7 +117,9 @@ class DeleteDocument(QDialog):
         column.addWidget(_label(self.tr("Delete {0}?").format(file), "strong"))
         told = self.tr("Undo brings it back. When you save, the file goes into the waste basket.")
         column.addWidget(_label(told, "label"))
-        still = self.tr("Still refers to it, and will not work any more")
+        still = self.tr("Still refers to what stands in it")
+        if isinstance(document, Application):
+            still = self.tr("Still refers to it, and will not work any more")
         if uses:
             column.addWidget(_label(still, "strong"))
             self.list = _rows(column, still)
