@@ -9,8 +9,15 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAccessible, QColor
-from PySide6.QtTest import QSignalSpy
-from PySide6.QtWidgets import QApplication, QLabel, QVBoxLayout, QWidget
+from PySide6.QtTest import QSignalSpy, QTest
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QApplication,
+    QLabel,
+    QLineEdit,
+    QVBoxLayout,
+    QWidget,
+)
 from tests.gui.conftest import PATIENCE
 from tests.gui.live.test_comparing import until
 from tests.gui.live.test_field import recorded
@@ -19,9 +26,13 @@ from tests.gui.test_announcing import hears
 
 from situ_studio.assistive.heard_as import hear_as
 from situ_studio.assistive.tab_order import stops
+from situ_studio.commands.shortcuts import KeyList
+from situ_studio.looks.theme import LIGHT
 from situ_studio.panels.conditions import GroupBox
 from situ_studio.panels.rows import RowWidget
+from situ_studio.panels.table import Row, RowsTable
 from situ_studio.panels.test_box import TestBox
+from situ_studio.screens.sample_table import SampleTable
 from situ_studio.widgets.layouts import clear
 from situ_studio.widgets.named_box import NamedBox
 
@@ -109,6 +120,50 @@ def test_a_widget_is_heard_as_what_it_is_said_to_be_and_does_that(qt: QApplicati
     assert heard(made).textInterface() is None
     made.close()
     made.deleteLater()
+
+
+def cells(view: QAbstractItemView) -> list[str]:
+    """What is heard of a table's cells, row by row."""
+    table = heard(view)
+    every = [table.child(at) for at in range(table.childCount())]
+    return [part.text(NAME) for part in every if part.tableCellInterface() is not None]
+
+
+def test_a_cell_of_a_table_is_heard_with_the_head_of_its_column(qt: QApplication) -> None:
+    """Who goes down a table hears its cells, and a head only where the column is another."""
+    window = QWidget()
+    rows = RowsTable("Trace", ("Time", "What", "Because of"), (90, 120), LIGHT)
+    rows.rows.show([Row("1", ("12 s", "State entered", ""))])
+    keys = KeyList()
+    keys.add("File", "Save", "Ctrl+S")
+    sample = SampleTable("patients", ("name", "room"), [{"name": "Ana"}])
+    shown_in(window, rows, keys, sample)
+    # An empty cell says nothing.
+    assert cells(rows) == ["Time: 12 s", "What: State entered", ""]
+    # A heading, and what stands below it, say what they are.
+    assert cells(keys.tree) == ["File", "", "Save", "Keys: Ctrl+S"]
+    assert cells(sample)[0] == "name: Ana"
+    sample.edit(sample.model().index(1, 1))
+    (editor,) = sample.viewport().findChildren(QLineEdit)
+    QTest.keyClicks(editor, "12")
+    QTest.keyClick(editor, Qt.Key.Key_Return)
+    QApplication.processEvents()
+    assert cells(sample)[3] == "room: 12"
+    window.close()
+    window.deleteLater()
+
+
+def test_a_row_of_the_outline_says_which_it_is_and_heads_the_rest(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    used.window.open_file("reception.rbd.xml")
+    used.window.show_mode("outline")
+    used.select("state", "14")
+    said = cells(used.window.current_view.current_view().tree)
+    at = said.index("Name: no user")
+    assert said[at - 1] == "14"
+    assert any(words.startswith("Leads to: ") for words in said[at:])
 
 
 def test_the_fields_of_a_condition_are_heard_with_what_they_are_about(

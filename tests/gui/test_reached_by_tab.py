@@ -11,11 +11,14 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtPrintSupport import QPrinter, QPrintPreviewDialog
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QTableView, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QApplication, QTableView, QTreeView, QWidget
 from tests.gui.live.test_comparing import until as until_compared
+from tests.gui.live.test_connecting import Told
 from tests.gui.live.test_field import recorded, until_counted
 from tests.gui.live.test_recordings import until_shown
 
+from situ.blackboard.replies import Turn, Turns
+from situ.document.change import Change
 from situ_studio.canvas.viewer import Viewer
 from situ_studio.commands.preferences import Preferences
 from situ_studio.commands.shortcuts import Shortcuts
@@ -23,8 +26,15 @@ from situ_studio.edits.vocabulary import Vocabulary
 from situ_studio.export.export_dialog import ExportDialog, What
 from situ_studio.export.print_preview import reach_by_keys
 from situ_studio.files.conflict import ConflictDialog
+from situ_studio.live.connecting_dialog import ConnectDialog
+from situ_studio.live.deploying import Deploying
+from situ_studio.live.deploying_dialog import DeployDialog
+from situ_studio.live.deploying_plan import Plan
+from situ_studio.live.link import RobotLink
+from situ_studio.live.nearby import Found
 from situ_studio.live.raising_dialog import Offer, RaisingDialog
 from situ_studio.live.setting_dialog import SettingDialog
+from situ_studio.looks.theme import LIGHT
 from situ_studio.project.differing import Differing
 from situ_studio.screens.devices import USUAL
 from situ_studio.screens.own_device import OwnDevice
@@ -39,6 +49,8 @@ NOTHING = {ROLE.NoRole, ROLE.Client, ROLE.Border, ROLE.Pane, ROLE.Window}
 MOST = 300
 INSIDE = 12
 """Components of a screen that Tab goes through, and one more."""
+CELLS = 60
+"""Of a table that are heard."""
 
 
 def faults(top: QWidget) -> list[str]:
@@ -108,7 +120,28 @@ def _heard(one: QWidget) -> list[str]:
         wrong.append(f"is described with tags: {about[:40]}")
     if one.visibleRegion().isEmpty():
         wrong.append("is not seen")
+    wrong += [f"says {words} without the head of its column" for words in _headless(one)]
     return [f"{_said(one)} {fault}" for fault in wrong]
+
+
+def _headless(one: QWidget) -> Iterator[str]:
+    """The first cells of a table that are heard as a value of nothing."""
+    if not isinstance(one, QTableView | QTreeView):
+        return
+    head = one.header() if isinstance(one, QTreeView) else one.horizontalHeader()
+    model = one.model()
+    heard: Any = QAccessible.queryAccessibleInterface(one)
+    rows = [model.index(row, 0) for row in range(model.rowCount())]
+    nested = isinstance(one, QTreeView) and any(map(model.hasChildren, rows))
+    for part in map(heard.child, range(min(heard.childCount(), CELLS))):
+        cell = part.tableCellInterface()
+        # Where rows stand in rows, the first cell of each says which row it is.
+        if head.isHidden() or cell is None or (nested and not cell.columnIndex()):
+            continue
+        title = model.headerData(cell.columnIndex(), Qt.Orientation.Horizontal)
+        # Behind a comma stands how far a language is.
+        if part.text(NAME) and title.partition(",")[0] not in part.text(NAME):
+            yield part.text(NAME)
 
 
 def _labels(heard: Any) -> list[Any]:
@@ -205,6 +238,26 @@ def asked(dialog: QWidget) -> list[str]:
     return found
 
 
+def connecting(window: QWidget) -> QWidget:
+    """Connect, with a robot that was found."""
+    nearby = Told()
+    dialog = ConnectDialog("tcp://127.0.0.1:5570", nearby, LIGHT, window)
+    nearby.tell(Found("ward at rob1", "ready", "tcp://10.0.0.5:5570", "ab"))
+    return dialog
+
+
+def deploying(window: QWidget) -> QWidget:
+    """Deploy, with something to send and a version to go back to."""
+    link = Deploying(RobotLink(window), window)
+    turn = Turn(0.0, 1, "operator:ann", "deployed")
+    link.turns = Turns(id=1, turns=(turn,), version=1, kept=(0, 1))
+    change = Change(file="a.rbd.xml", place=("state", "1"), text="state a: timeout 30 → 60 s")
+    plan = Plan({"a.rbd.xml": b""}, "a.rbd.xml", (change,))
+    dialog = DeployDialog(link, lambda: plan, LIGHT, window)
+    dialog.settle()
+    return dialog
+
+
 def test_every_dialog(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
     window = used.window
@@ -221,6 +274,8 @@ def test_every_dialog(studio: Start, project: Copy) -> None:
     assert asked(ConflictDialog(differing, window)) == []
     assert asked(Details("A fault", "It went wrong.", "line", window, unfolded=True)) == []
     assert asked(OwnDevice(USUAL, window)) == []
+    assert asked(connecting(window)) == []
+    assert asked(deploying(window)) == []
     printer = QPrinter()
     printer.setOutputFormat(QPrinter.OutputFormat.PdfFormat)
     preview = QPrintPreviewDialog(printer, window)
@@ -232,3 +287,41 @@ def test_every_dialog(studio: Start, project: Copy) -> None:
     assert asked(keys) == []
     window.helping.show_topic("kind/state")
     assert asked(window.helping.shown) == []
+
+
+# -- what lies over the window ------------------------------------------------------------------
+
+
+def heard_after(used: Any, arrow: Qt.Key, view: QAbstractItemView) -> str:
+    """The row that is current then, as it is heard; it is another than before."""
+    before = view.currentIndex().row()
+    used.key(arrow)
+    assert view.currentIndex().row() != before
+    row: Any = QAccessible.queryAccessibleInterface(view).focusChild()
+    return str(row.text(NAME)) if row is not None else ""
+
+
+def test_what_is_typed_for_is_gone_through_by_arrows_and_left_by_tab(
+    studio: Start, project: Copy
+) -> None:
+    used = studio(project("reception"))
+    finder = used.window.finder
+    used.key(Qt.Key.Key_K, Qt.KeyboardModifier.ControlModifier)
+    assert QApplication.focusWidget() is finder.field
+    assert within(finder) == []
+    assert heard_after(used, Qt.Key.Key_Down, finder.list)
+    used.key(Qt.Key.Key_Tab)
+    assert not finder.isVisible()
+    assert used.window.current_view.isAncestorOf(QApplication.focusWidget())
+    for kind, arrow in (("image", Qt.Key.Key_Down), ("sound", Qt.Key.Key_Up)):
+        used.select("state", "5")
+        used.window.commands.insert(kind)
+        used.settle()
+        picker = used.window.media_choice.picker
+        assert within(picker) == []
+        # There is nothing else to go to: Escape or a row leave it.
+        used.key(Qt.Key.Key_Tab)
+        assert picker.field.hasFocus()
+        assert heard_after(used, arrow, picker.list)
+        used.key(Qt.Key.Key_Escape)
+        assert used.window.media_choice.picker is None

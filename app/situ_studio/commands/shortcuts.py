@@ -9,6 +9,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QLineEdit, QTreeWidget, QTreeWidgetItem, QVBoxLayout, QWidget
 
 from situ_studio.actions import COMMANDS
+from situ_studio.assistive.heard_cells import HeardRow
 from situ_studio.commands.keys import headed, written
 from situ_studio.commands.menus import told, translated
 from situ_studio.looks.letters import px
@@ -95,7 +96,7 @@ class KeyList(QWidget):
             self._heads[head] = QTreeWidgetItem(self.tree, [head])
             self._heads[head].setFont(0, font(13, 600))
             self._heads[head].setExpanded(True)
-        return QTreeWidgetItem(self._heads[head], [text, keys])
+        return HeardRow(self._heads[head], [text, keys])
 
     def _filter(self, query: str) -> None:
         wanted = query.casefold().split()

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from situ_studio.assistive.heard_cells import HeardRow
 from situ_studio.live.nearby import Found, NearbyRobots
 from situ_studio.looks import icons
 from situ_studio.looks.letters import px
@@ -119,7 +120,7 @@ class ConnectDialog(QDialog):
         for name in sorted(robots, key=str.casefold):
             item = self._rows.get(name)
             if item is None:
-                item = self._rows[name] = QTreeWidgetItem()
+                item = self._rows[name] = HeardRow()
                 place = sorted(self._rows, key=str.casefold).index(name)
                 self.list.insertTopLevelItem(place, item)
             self._show(item, robots[name])

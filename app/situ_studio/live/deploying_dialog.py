@@ -16,11 +16,11 @@ from PySide6.QtWidgets import (
     QPushButton,
     QSpinBox,
     QTreeWidget,
-    QTreeWidgetItem,
     QVBoxLayout,
     QWidget,
 )
 
+from situ_studio.assistive.heard_cells import HeardRow
 from situ_studio.live import deploying_words
 from situ_studio.live.deploying import Deploying
 from situ_studio.live.deploying_plan import Plan
@@ -224,7 +224,7 @@ class DeployDialog(QDialog):
         self._shown = rows
         self.versions.clear()
         for one in reversed(rows):
-            item = QTreeWidgetItem(deploying_words.turn(one))
+            item = HeardRow(deploying_words.turn(one))
             item.setData(0, Qt.ItemDataRole.UserRole, one.version)
             if one.changed:
                 item.setToolTip(1, "\n".join(map(said, one.changed)))

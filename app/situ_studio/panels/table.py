@@ -17,6 +17,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFontMetrics, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
+from situ_studio.assistive.heard_cells import headed
 from situ_studio.looks.letters import px
 from situ_studio.looks.theme import Theme, font
 from situ_studio.widgets.focus_ring import paint_bar
@@ -133,6 +134,8 @@ class RowsModel(QAbstractTableModel):
         row = self._rows[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
             return row.cells[index.column()]
+        if role == Qt.ItemDataRole.AccessibleTextRole:
+            return headed(self._titles[index.column()], row.cells[index.column()])
         if role == Qt.ItemDataRole.ForegroundRole:
             if index.column() == row.link:
                 return self._theme.color("accent")

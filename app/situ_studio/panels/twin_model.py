@@ -16,6 +16,7 @@ from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QWidget
 
 from situ.document import rbd, spds
+from situ_studio.assistive.heard_cells import headed
 from situ_studio.edits.edit import Document, Place
 from situ_studio.looks import icons
 from situ_studio.looks.theme import Theme
@@ -144,6 +145,10 @@ class TwinModel(QAbstractItemModel):
         column = index.column()
         if role == Qt.ItemDataRole.DisplayRole:
             return node.cells[column]
+        if role == Qt.ItemDataRole.AccessibleTextRole and column:
+            # The first cell says which row it is, or in what of it one is.
+            head = self.headerData(column, Qt.Orientation.Horizontal)
+            return headed(head, node.cells[column])
         if role == Qt.ItemDataRole.EditRole:
             place = node.editable.get(column)
             value = getattr(node.value, place[1]) if place is not None else node.cells[column]

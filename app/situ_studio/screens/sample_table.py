@@ -10,12 +10,12 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
     QTableWidget,
-    QTableWidgetItem,
     QWidget,
 )
 
 from situ.decide.values import in_text
 from situ.document.values import read
+from situ_studio.assistive.heard_cells import HeardCell
 from situ_studio.looks.letters import px
 
 ROW = 26
@@ -34,7 +34,7 @@ class SampleTable(QTableWidget):
     def __init__(
         self, name: str, fields: tuple[str, ...], entries: list[Any], parent: QWidget | None = None
     ) -> None:
-        super().__init__(len(entries) + 1, max(1, len(fields)), parent)
+        super().__init__(0, max(1, len(fields)), parent)
         self._fields = fields
         self._entries = entries
         self.setAccessibleName(name)
@@ -44,11 +44,13 @@ class SampleTable(QTableWidget):
         self.verticalHeader().setDefaultSectionSize(px(ROW))
         self.setEditTriggers(QAbstractItemView.EditTrigger.AllEditTriggers)
         self.setTabKeyNavigation(False)
-        for row, entry in enumerate(entries):
-            for column, field in enumerate(fields or ("",)):
-                value = entry.get(field) if isinstance(entry, Mapping) and field else entry
-                text = "" if value is None else in_text(value)
-                self.setItem(row, column, QTableWidgetItem(text))
+        for entry in entries:
+            values = [
+                entry.get(field) if isinstance(entry, Mapping) and field else entry
+                for field in fields or ("",)
+            ]
+            self._add(["" if value is None else in_text(value) for value in values])
+        self._add([""] * self.columnCount())
         self.horizontalHeader().setFixedHeight(px(ROW))
         self.setFixedHeight(px(ROW) * (min(len(entries) + 1, MOST) + 1) + 6)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
@@ -71,6 +73,14 @@ class SampleTable(QTableWidget):
             found.append(kept | given)
         return found
 
+    def _add(self, texts: list[str]) -> None:
+        row = self.rowCount()
+        self.blockSignals(True)
+        self.insertRow(row)
+        for column, text in enumerate(texts):
+            self.setItem(row, column, HeardCell(text))
+        self.blockSignals(False)
+
     def _text(self, row: int, column: int) -> str:
         item = self.item(row, column)
         return item.text().strip() if item is not None else ""
@@ -78,4 +88,4 @@ class SampleTable(QTableWidget):
     def _on_changed(self, row: int, _column: int) -> None:
         self.edited.emit(self.entries())
         if row == self.rowCount() - 1:
-            self.insertRow(self.rowCount())
+            self._add([""] * self.columnCount())

@@ -19,6 +19,7 @@ from situ.document import rbd
 from situ.document.projectfile import CODE
 from situ.document.texts_table import Kind, TextRow
 from situ_studio import kinds
+from situ_studio.assistive.heard_cells import headed
 from situ_studio.edits import places, words
 from situ_studio.panels.project_tree import stem
 from situ_studio.texts.sheet import Cell, Sheet, Typed
@@ -203,15 +204,10 @@ class TextsModel(QAbstractTableModel):
             return None
         language = self.language(section)
         if role == Qt.ItemDataRole.DisplayRole:
-            if section < WRITTEN:
-                return self.tr("Where") if section == STATE else self.tr("What")
             if language is None:
-                code = self.sheet.written_in
-                return language_name(code) if code else self.tr("Text as written")
+                return self._head(section)
             counts = self.sheet.counts(language)
-            return self.tr("{0}, {1} of {2}").format(
-                language_name(language), counts.done, counts.every
-            )
+            return self.tr("{0}, {1} of {2}").format(self._head(section), counts.done, counts.every)
         if role == Qt.ItemDataRole.ToolTipRole:
             if section == STATE:
                 return self.tr("The state in which the text stands.")
@@ -221,6 +217,14 @@ class TextsModel(QAbstractTableModel):
                 return self.tr("As it is written in the documents: what you type here goes there.")
             return self.counts_words(language)
         return None
+
+    def _head(self, section: int) -> str:
+        """A column's, without how far its language is."""
+        assert self.sheet is not None
+        if section < WRITTEN:
+            return self.tr("Where") if section == STATE else self.tr("What")
+        code = self.language(section) or self.sheet.written_in
+        return language_name(code) if code else self.tr("Text as written")
 
     def counts_words(self, language: str) -> str:
         """How far the texts of a language are, in a sentence."""
@@ -251,7 +255,8 @@ class TextsModel(QAbstractTableModel):
             if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole):
                 return self.place_words(row)[index.column()]
             if role == Qt.ItemDataRole.AccessibleTextRole:
-                return ", ".join(self.place_words(row)[index.column() :])
+                words = ", ".join(self.place_words(row)[index.column() :])
+                return headed(self._head(index.column()), words)
             return None
         cell = self.cell(index)
         assert cell is not None
@@ -263,7 +268,8 @@ class TextsModel(QAbstractTableModel):
             return "\n".join(part for part in (cell.text, self.standing_words(row, cell)) if part)
         if role == Qt.ItemDataRole.AccessibleTextRole:
             told = self.standing_words(row, cell)
-            return ", ".join(part for part in (cell.text, told) if part)
+            words = ", ".join(part for part in (cell.text, told) if part)
+            return headed(self._head(index.column()), words)
         return None
 
     def standing_words(self, row: TextRow, cell: Cell) -> str:
