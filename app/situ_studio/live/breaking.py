@@ -9,6 +9,8 @@ from typing import Any
 import msgspec
 from PySide6.QtCore import QSettings
 
+from situ.document import when_text
+from situ.document.condition import Condition
 from situ.document.project import Project
 from situ_studio.commands.context_menus import context_of
 from situ_studio.edits import places
@@ -28,6 +30,12 @@ MOST = 50
 def point_of(one: Point) -> Point:
     """Where a breakpoint stands, without who set it and what must hold."""
     return {key: one[key] for key in WHERE if one.get(key) is not None}
+
+
+def condition_of(one: Point) -> Condition | None:
+    """What must hold where it pauses; None: it pauses always."""
+    found = when_text.read(one["when"]) if one.get("when") else None
+    return found if isinstance(found, Condition) else None
 
 
 def points_at(project: Project, file: str, document: Document, place: Place) -> list[Point]:

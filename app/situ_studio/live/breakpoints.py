@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
-from situ.document import when_text, words
+from situ.document import words
 from situ.document.condition import Condition
 from situ_studio.edits.vocabulary import Vocabulary
-from situ_studio.live.breaking import Point, point_of
+from situ_studio.live.breaking import Point, condition_of, point_of
+from situ_studio.live.conditions_sought import SoughtConditions
 from situ_studio.looks.theme import Theme
 from situ_studio.panels.conditions import AddTest, ConditionEditor
 from situ_studio.panels.table import Row, RowsTable
@@ -44,6 +44,7 @@ class Breakpoints(QWidget):
         super().__init__(parent)
         self._theme = theme
         self._state_name = state_name
+        self.sought = SoughtConditions()
         self._points: dict[str, Point] = {}
         self._vocabulary = Vocabulary()
         self._adds: tuple[Point, ...] = ()
@@ -192,7 +193,7 @@ class Breakpoints(QWidget):
             said = tr("before it comes to {0}").format(name(one["to"]))
         else:
             said = tr("between {0} and {1}").format(name(one["from"]), name(one["to"]))
-        condition = _condition(one)
+        condition = condition_of(one)
         if condition is not None:
             said = tr("{0}, while {1}").format(said, words.condition(condition, say))
         return said
@@ -213,7 +214,7 @@ class Breakpoints(QWidget):
             self._shown = where
             self.condition.give_up()
         settable = one is not None and "id" in one
-        condition = _condition(one) if one is not None and settable else None
+        condition = self.sought.of(one) if one is not None and settable else None
         self.condition.show_value(self._theme, condition, self._vocabulary)
         self.condition.setEnabled(self._may_change)
         self.add.setEnabled(settable and self._may_change)
@@ -249,8 +250,3 @@ class BreakpointTable(RowsTable):
             self.removed.emit(self.rows.rows[row].key)
         else:
             super().keyPressEvent(event)
-
-
-def _condition(one: dict[str, Any]) -> Condition | None:
-    found = when_text.read(one["when"]) if one.get("when") else None
-    return found if isinstance(found, Condition) else None

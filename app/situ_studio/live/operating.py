@@ -211,13 +211,16 @@ class OperatingSide(QObject):
             self._show()
 
     def _condition(self, key: str, condition: Condition | None) -> None:
-        """The robot knows no other condition for one that stands: it gets another in its place. So
-        do those at the same place of a part in the other states that run it, if they had the same.
-        """
         one = self.panel.point(key)
-        if one is None:
-            return
-        same = self._same_place(one)
+        if one is not None:
+            self.panel.sought.want(one, condition, self._exchange)
+            self._show()
+
+    def _exchange(self, one: Point, condition: Condition | None) -> set[int]:
+        """Others in place of that one, and of those at the same place of a part in the other states
+        that run it, if they had the same condition.
+        """
+        same, going = self._same_place(one), set()
         for each in self._standing:
             if each["id"] != one["id"] and (
                 point_of(each) not in same or each.get("when") != one.get("when")
@@ -227,6 +230,8 @@ class OperatingSide(QObject):
             if condition is not None:
                 point = {**point, "when": when_text.write(condition)}
             self._break(point, partial(self._ask, "unbreak", breakpoint=each["id"]))
+            going.add(each["id"])
+        return going
 
     def _same_place(self, one: Point) -> list[Point]:
         """Where that breakpoint stands, in every state that runs its part."""
@@ -325,6 +330,7 @@ class OperatingSide(QObject):
             self._refused(why)
             # What stands at that place some day was set without one.
             self.panel.add_test(())
+            self.panel.sought.forget()
             self._show()
 
         self._link.act(self, lambda dialog: dialog.debug(verb, **fields), answered, refused)
@@ -366,6 +372,7 @@ class OperatingSide(QObject):
         if seen == self._seen:
             return
         self._seen = seen
+        self.panel.sought.told(self._standing, self._exchange)
         before = self.waiting.text()
         self.waiting.setText(", ".join(self._waiting(name, *one) for name, one in paused.items()))
         if self.waiting.text() != before:

@@ -21,6 +21,7 @@ from situ.document.ready import load_ready
 from situ_studio.edits.vocabulary import Vocabulary
 from situ_studio.live.breaking import MOST, KeptBreakpoints, everywhere, points_at
 from situ_studio.live.breakpoints import Breakpoints
+from situ_studio.live.conditions_sought import SoughtConditions
 from situ_studio.live.setting_dialog import Setting
 from situ_studio.looks.theme import LIGHT
 from situ_studio.panels.conditions import GroupBox
@@ -209,6 +210,78 @@ def test_a_breakpoint_with_a_condition_pauses_only_while_it_holds_and_is_kept(
     it.settle()
     assert panel.table.rows.rows == []
     window.disconnect_robot()
+
+
+def test_of_conditions_given_faster_than_the_robot_answers_the_last_one_stands_alone(
+    studio: Callable[..., Any], project: Callable[[str], Path], robot: Any, until: Any
+) -> None:
+    there = robot(project("conversation"))
+    it = studio(there.project)
+    window = it.window
+    link = connect(it, there.endpoint, until)
+    until(link.moment_changed, lambda: "converse" in link.log.now.applications)
+    it.select("state", "5")
+    it.key(Qt.Key.Key_F9, SHIFT)
+    until(link.moment_changed, lambda: any(b.get("when") for b in link.log.now.breakpoints))
+    until(link.moment_changed, lambda: len(link.log.now.breakpoints) == 1)
+    it.settle()
+    panel = window.operating.panel
+    it.fill(panel.condition.box(0).tag, "face.direction")
+    # By keys, each of which is another condition; what was typed stands, whatever the robot tells.
+    it.choose(panel.condition.box(0).test, "above")
+    it.fill(panel.condition.box(0).value, "20")
+    it.choose(panel.condition.box(0).test, "below")
+    it.fill(panel.condition.box(0).value, "-20")
+    when = '<data tag="face.direction" below="-20"/>'
+
+    def stand() -> list[str | None]:
+        return [one.get("when") for one in link.log.now.breakpoints]
+
+    until(link.moment_changed, lambda: stand() == [when])
+    # Nothing else was on its way: what is asked next is answered after all that was.
+    answered: list[Any] = []
+    link.ask_modules(window, answered.append)
+    until(link.moment_changed, lambda: bool(answered))
+    assert stand() == [when]
+    assert panel.condition.box(0).value.text() == "-20"
+    window.disconnect_robot()
+
+
+def test_a_condition_goes_to_the_robot_when_the_one_before_stands_and_only_the_last() -> None:
+    asked: list[tuple[int, Condition | None]] = []
+
+    def exchange(one: dict[str, Any], condition: Condition | None) -> set[int]:
+        asked.append((one["id"], condition))
+        return {one["id"]}
+
+    def standing(number: int, condition: Condition | None) -> dict[str, Any]:
+        made = {"id": number, "situation": "quiet"}
+        return made if condition is None else {**made, "when": when_text.write(condition)}
+
+    sought, first = SoughtConditions(), standing(1, None)
+    for condition in CONDITIONS:
+        sought.want(first, condition, exchange)
+        assert sought.of(first) == condition
+    assert asked == [(1, CONDITIONS[0])]
+    both = [first, standing(2, CONDITIONS[0])]
+    sought.told(both, exchange)
+    assert asked == [(1, CONDITIONS[0])]
+    sought.told(both[1:], exchange)
+    assert asked[1:] == [(2, CONDITIONS[2])]
+    assert sought.of(both[1]) == CONDITIONS[2]
+    last = standing(3, CONDITIONS[2])
+    sought.told([last], exchange)
+    assert len(asked) == 2
+    # Another operator's is shown as it stands, and so is what a refusal or an end leaves.
+    other = standing(4, CONDITIONS[0])
+    assert sought.of(other) == CONDITIONS[0]
+    sought.want(last, None, exchange)
+    sought.forget()
+    assert sought.of(last) == CONDITIONS[2]
+    sought.want(last, None, exchange)
+    sought.told([], exchange)
+    assert sought.of(last) == CONDITIONS[2]
+    assert len(asked) == 4
 
 
 def test_a_condition_wanted_where_the_robot_refused_a_breakpoint_is_wanted_no_longer(
