@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent, QInputMethodEvent
-from PySide6.QtTest import QTest
+from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication
 from tests.gui.test_adding_to_a_project import open_menu, press
 from tests.gui.test_language import choose as speak
@@ -516,6 +516,24 @@ def test_a_scenario_is_one_of_the_values_here_only_once_a_name_in_it_was_changed
     said = ward.window.status.said.text()
     assert said == "scenarios/first.jsonl was changed by another program: read anew."
     assert ward.session.undo_text == "Take scenarios/first.jsonl from disk"
+
+
+def test_scenarios_are_played_with_the_new_name_before_it_is_saved(
+    ward: Any, tmp_path: Path
+) -> None:
+    scenario = tmp_path / "scenarios" / "first.jsonl"
+    scenario.write_text('{"at": 1, "event": "ready", "application": "night"}\n')
+    choose(ward, "night.rbd.xml")
+    ward.key(Qt.Key.Key_F2)
+    write(ward, "late")
+    key(ward, Qt.Key.Key_Return)
+    ward.settle()
+    do(ward, "scenarios.run")
+    run = ward.window.scenarios.run_
+    if len(run.ran) < len(run.files):
+        assert QSignalSpy(run.ended).wait(20000)
+    assert [(one.played.unreadable, one.played.well) for one in run.ran] == [(None, True)]
+    assert '"night"' in scenario.read_text()
 
 
 def test_a_new_name_that_begins_with_the_old_one_is_put_once(ward: Any, tmp_path: Path) -> None:

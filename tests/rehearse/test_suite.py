@@ -10,6 +10,8 @@ from xml.etree import ElementTree as Tree
 import pytest
 
 from situ.cli import main
+from situ.document import folder
+from situ.rehearse.suite import play_file
 
 RBD = """<application name="door"><state no="1" name="shut"><screen><components>
 <button id="open" x="1" y="1" width="9" height="9" event="open">Open</button></components></screen>
@@ -226,3 +228,16 @@ def test_a_scenario_elsewhere_and_an_expectation_that_leaves_open_what_it_means(
     assert status == 1
     assert out[0] == f"FAIL  {path}  1 of 1 expectation failed"
     assert not any("in the way" in line for line in out)
+
+
+def test_what_is_not_saved_yet_is_played_in_place_of_what_the_file_holds(house: House) -> None:
+    path = Path(house.write("a.jsonl", LOCKED))
+    project, _ = folder.load(house.root)
+    assert project is not None
+    unsaved = b'{"at": 1, "event": "open", "application": "door"}\n'
+    _, played = play_file(project, path, ["door"], unsaved=unsaved)
+    assert (played.file, played.expectations, played.well) == ("scenarios/a.jsonl", 0, True)
+    _, played = play_file(project, path, ["door"], unsaved=b"no scenario\n")
+    assert played.unreadable is not None
+    assert played.unreadable.startswith(f"{path}:1:")
+    assert play_file(project, path, ["door"])[1].expectations == 1

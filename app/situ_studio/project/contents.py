@@ -4,7 +4,7 @@ each of them was when it was read and when it was saved. No undo, no signals.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from pathlib import Path
 
 from situ.document import beside, folder
@@ -56,6 +56,11 @@ class Contents:
     def every(self) -> list[str]:
         """The files of all values: of documents, and those that are there beside them."""
         return [*self.files, *self.beside, *self._scenarios]
+
+    @property
+    def scenarios(self) -> Mapping[str, Lines]:
+        """Those that are values here (``attend``), by their files."""
+        return self._scenarios
 
     @property
     def listing(self) -> tuple[str, ...]:

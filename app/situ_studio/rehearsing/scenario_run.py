@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 from msgspec import Struct
@@ -22,17 +23,23 @@ class Ran(Struct, frozen=True):
 
 
 class ScenarioRun(QObject):
-    """Plays these files once, in order; the project must have no errors."""
+    """Plays these files once, in order; the project must have no errors.
+
+    unsaved: of files that hold something else than they shall, what that is.
+    """
 
     went = Signal(float)
     """How much is done, from 0 to 1; one more is in ``ran``."""
     ended = Signal()
     """All are, or it was cancelled."""
 
-    def __init__(self, project: Project, files: list[Path], parent: QObject) -> None:
+    def __init__(
+        self, project: Project, files: list[Path], unsaved: Mapping[Path, bytes], parent: QObject
+    ) -> None:
         super().__init__(parent)
         self.project = project
         self.files = files
+        self._unsaved = unsaved
         self.ran: list[Ran] = []
         self.coverage = Coverage(project)
         """What those of ``ran`` came through."""
@@ -50,7 +57,8 @@ class ScenarioRun(QObject):
 
     def _play(self) -> None:
         path = self.files[len(self.ran)]
-        recording, played = play_file(self.project, path, self._names)
+        unsaved = self._unsaved.get(path)
+        recording, played = play_file(self.project, path, self._names, unsaved=unsaved)
         if recording is not None:
             self.coverage.add(recording)
         self.ran.append(Ran(path, played, recording))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
@@ -9,6 +10,7 @@ from PySide6.QtCore import QObject
 from situ.document import codec
 from situ.errors import UsageError
 from situ.rehearse.suite import scenarios
+from situ_studio.edits.edit import write
 from situ_studio.live.log import TraceLog
 from situ_studio.live.recordings import Recording
 from situ_studio.processes.working import Work
@@ -51,7 +53,9 @@ class ScenariosSide(QObject):
             window.dialogs.tell(str(error))
             return
         self._drop()
-        run = self.run_ = ScenarioRun(project, files, self)
+        root, changed = Path(project.root).resolve(), window.session.contents.scenarios
+        unsaved = {root / file: write(lines) for file, lines in changed.items()}
+        run = self.run_ = ScenarioRun(project, files, unsaved, self)
         self._work = window.status.work.begin(self.tr("Running the scenarios"), run.cancel)
         run.went.connect(self._work.tell)
         run.went.connect(lambda _: self.panel.show_run(run))

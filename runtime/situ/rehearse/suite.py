@@ -119,10 +119,17 @@ def play_file(
     names: list[str],
     seed: int = 0,
     auto_finish: float | None = None,
+    unsaved: bytes | None = None,
 ) -> tuple[Recording | None, Played]:
-    """Plays the scenario of a file; None where it cannot be read. names: of the applications."""
+    """Plays the scenario of a file; None where it cannot be read. names: of the applications.
+
+    unsaved: what the file is to hold, where that is another than it holds now.
+    """
     try:
-        written = scenario.load(path, names)
+        if unsaved is not None:
+            written = scenario.parse(unsaved, str(path), names)
+        else:
+            written = scenario.load(path, names)
     except UsageError as error:
         return None, Played(_called(project, path), unreadable=str(error))
     return play(project, _called(project, path), written, seed, auto_finish)
