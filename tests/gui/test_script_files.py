@@ -170,7 +170,9 @@ def test_a_script_keeps_its_own_name_where_only_its_file_gets_another(
     key(ward, Qt.Key.Key_Return)
     ward.settle()
     do(ward, "save")
-    assert read(tmp_path).spds.name == "first"
+    script = read(tmp_path).spds
+    assert script is not None
+    assert script.name == "first"
     assert [*ward.basket.held] == ["ward.spds.xml"]
 
 
