@@ -10,6 +10,8 @@ from collections.abc import Iterable, Sequence
 from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
 
+BEHIND = "behind"
+"""The property of a widget that lies across others: Tab comes to it right behind this one."""
 REASONS = {1: Qt.FocusReason.TabFocusReason, -1: Qt.FocusReason.BacktabFocusReason}
 
 
@@ -35,8 +37,13 @@ def stops(panel: QWidget) -> list[QWidget]:
     every = [w for w in (panel, *panel.findChildren(QWidget)) if _stops_at(w)]
     # What scrolls is one only where nothing in it is: it lies beside all that it holds.
     found = [w for w in every if not (isinstance(w, QScrollArea) and _holds(w, every))]
-    areas = [QRect(w.mapTo(panel, QPoint()), w.size()) for w in found]
-    return [found[i] for i in reading_order(areas)]
+    across = [w for w in found if w.property(BEHIND) in found]
+    lying = [w for w in found if w not in across]
+    areas = [QRect(w.mapTo(panel, QPoint()), w.size()) for w in lying]
+    ordered = [lying[i] for i in reading_order(areas)]
+    for widget in reversed(across):
+        ordered.insert(ordered.index(widget.property(BEHIND)) + 1, widget)
+    return ordered
 
 
 def _holds(widget: QWidget, others: Iterable[QWidget]) -> bool:

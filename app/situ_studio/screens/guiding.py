@@ -7,6 +7,7 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from situ.document.rbd import Application
+from situ_studio.assistive.tab_order import BEHIND
 from situ_studio.looks.theme import Theme
 from situ_studio.screens import guides as of_screens
 from situ_studio.screens import snapping
@@ -100,7 +101,7 @@ class Guiding(QObject):
         line.moved.connect(self._on_moved)
         line.removed.connect(self._on_removed)
         line.left.connect(self._on_left)
-        QWidget.setTabOrder(self._lines[-1] if self._lines else self._sheet, line)
+        line.setProperty(BEHIND, self._sheet)
         return line
 
     def _lay_out(self) -> None:

@@ -240,6 +240,30 @@ def test_arrows_move_the_guide_that_has_the_focus_and_delete_removes_it(drawing:
     assert not used.window.actions_.actions["guide.clear"].isEnabled()
 
 
+def test_tab_goes_through_all_guides_behind_the_last_component_wherever_they_stand(
+    drawing: Drawing,
+) -> None:
+    used = drawing.used
+    document = used.session.document("reception.rbd.xml")
+    every = (Guide("x", 2), Guide("x", 70), Guide("y", 20), Guide("y", 85))
+    used.session.commit("reception.rbd.xml", guides.put(document, every), "Guides")
+    used.settle()
+    sheet, lines = drawing.sheet, drawing.designer.guiding.lines
+    sheet.setFocus()
+    sheet.choose((next(reversed(sheet.own())),))
+    visited = []
+    for _ in range(6):
+        used.key(Qt.Key.Key_Tab)
+        visited.append(QApplication.focusWidget())
+    assert visited[:4] == list(lines)
+    assert not {*visited[4:]} & {sheet, *lines}
+    back = []
+    for _ in range(6):
+        used.key(Qt.Key.Key_Backtab, SHIFT)
+        back.append(QApplication.focusWidget())
+    assert back[1:] == [*reversed(lines), sheet]
+
+
 def test_components_are_drawn_to_guides_which_no_robot_gets(drawing: Drawing) -> None:
     used = drawing.used
     drawing.drag(drawing.beside, QPoint(4, 200), drawing.spot(31, 97), ALT)
