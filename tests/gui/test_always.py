@@ -13,8 +13,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from situ.document import codec, rbd
+from situ_studio.edits import words
 from situ_studio.kinds import MIME
 from situ_studio.panels.problems import PROBLEM, mend_box
+from situ_studio.problems import problem_rows
 
 FILE = "ask.rbd.xml"
 LEFT = Qt.MouseButton.LeftButton
@@ -58,6 +60,26 @@ def test_the_palette_makes_it_once_and_shows_the_one_there_is(used: Any) -> None
     used.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     used.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert shared(used) is None
+
+
+def test_it_is_called_alike_wherever_it_is_told(used: Any) -> None:
+    used.click(used.window.palette_.item("always"))
+    used.click(used.window.palette_.item("button"))
+    assert used.session.undo_text == "Add button to “In every state”"
+    document, (button,) = used.session.document(FILE), shared(used).screen.components
+    place = ("always", "screen", button.id)
+    assert words.title(document, place)[3] == "Button of every state"
+    used.session.check_now()
+    told = next(p for p in used.session.problems if p.place[:1] == ("always",))
+    assert problem_rows.where(used.session, told, FILE) == "In every state"
+    used.window.show_mode("outline")
+    rows = used.window.current_view.current_view().tree
+    used.row_with(rows, "In every state")
+    # Who deletes the card deletes no state, and the step does not say so either.
+    used.select("always")
+    used.key(Qt.Key.Key_Delete)
+    assert shared(used) is None
+    assert used.session.undo_text == "Delete “In every state”"
 
 
 def test_it_lies_above_the_states_that_have_a_place(used: Any) -> None:

@@ -320,7 +320,7 @@ def test_the_table_is_read_out_and_can_be_left_by_keys(used: Any) -> None:
     used.key(Qt.Key.Key_Delete)
     role = Qt.ItemDataRole.AccessibleTextRole
     assert at(used, "Home").data(role) == "日本語: missing"
-    assert at(used, "Home", STATE).data(role) == "Where: reception: Always, Button home"
+    assert at(used, "Home", STATE).data(role) == "Where: reception: In every state, Button home"
     interface = QAccessible.queryAccessibleInterface(table(used))
     assert interface.text(QAccessible.Text.Name) == "Texts"
     used.key(Qt.Key.Key_PageUp, CONTROL)

@@ -72,7 +72,9 @@ def place_words(document: Document, place: Place) -> str:
     if not place:
         return tr("the modules") if not hasattr(document, "name") else document.name
     if place[0] == "always":
-        outer, inner = tr("Always"), place[1:]
+        inner = place[1:]
+        # Alone it is the card of that name: who deletes it deletes no state.
+        outer = tr("every state") if inner else tr("“In every state”")
     elif place[0] == "state":
         outer, inner = tr("state {0}").format(place[1]), place[2:]
     elif place[0] in places.DRAWN:
@@ -142,7 +144,7 @@ def title(document: Document, place: Place) -> tuple[str, str, str, str]:
 
 
 def _owner(place: Place) -> str:
-    return tr("Always") if place[0] == "always" else tr("state {0}").format(place[1])
+    return tr("every state") if place[0] == "always" else tr("state {0}").format(place[1])
 
 
 def _raised(part: Any) -> list[str]:

@@ -153,7 +153,7 @@ def application_rows(document: rbd.Application) -> Iterator[Node]:
             ("always",),
             always,
             ("always", "text2"),
-            (tr("Always"), "", "", ""),
+            (tr("In every state"), "", "", ""),
             below=lambda: _part_rows(document, ("always",), always),
         )
     for state in document.states:

@@ -38,5 +38,5 @@ def _short(document: Document, place: Place) -> str:
     if place[0] == "state" and len(place) > 1:
         return words.state_words(document, place[1])
     if place[0] == "always":
-        return tr("Always")
+        return tr("In every state")
     return place[1] if len(place) > 1 else place[0]

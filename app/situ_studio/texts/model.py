@@ -173,7 +173,7 @@ class TextsModel(QAbstractTableModel):
     def _words(self, row: TextRow) -> tuple[str, str]:
         assert self.sheet is not None
         document = self.sheet.project.flows[row.file]
-        outer = self.tr("Always") if row.place[0] == "always" else ""
+        outer = self.tr("In every state") if row.place[0] == "always" else ""
         if not outer:
             outer = words.state_words(document, row.place[1])
         if len(self.sheet.project.flows) > 1:
