@@ -36,6 +36,7 @@ from tests.gui.conftest import Studio
 
 from situ.document.rbd import Always, Application, Event, State
 from situ.resources import resource
+from situ_studio import kinds
 from situ_studio.canvas.menu import FollowMenu
 from situ_studio.edits.mentions import Found, mentions
 from situ_studio.finding.search import search
@@ -232,6 +233,15 @@ def test_what_a_menu_asks_to_type_is_said_in_the_users_language(brackets: None) 
     parent.deleteLater()
 
 
+def test_what_one_label_calls_a_tag_it_calls_nowhere_a_value() -> None:
+    """A language has one word for a label: *to* a tag is where it goes, *to* a value is not."""
+    fields = [
+        f for k in kinds.KINDS for f in (*k.fields, *(g for s in k.sections for g in s.fields))
+    ]
+    tags = {field.label for field in fields if field.editor == "tag"}
+    assert tags & {field.label for field in fields if field.editor != "tag"} == set()
+
+
 # -- room ------------------------------------------------------------------------------------
 
 
@@ -249,7 +259,7 @@ def cut(window: QWidget, ours: set[str]) -> Iterator[str]:
             if high > widget.height():
                 yield f"{name}: {told}, {high} px into {widget.height()} of height"
         if isinstance(widget, Elided):
-            if widget.text() in ours and widget.toolTip():
+            if widget.text() and widget.text() in ours and widget.toolTip():
                 yield f"{name}: {widget.text()}, {widget.width()} px"
         elif isinstance(widget, QLabel) and widget.text() and widget.pixmap().isNull():
             room, wanted = widget.contentsRect(), widget.sizeHint()
@@ -272,6 +282,9 @@ def cut(window: QWidget, ours: set[str]) -> Iterator[str]:
                     yield f"heading {text}"
 
 
+FILES = {"reception": "reception.rbd.xml", "conversation": "conversation.spds.xml"}
+
+
 @pytest.mark.parametrize(("code", "size"), [("en", 100), ("ja", 100), ("en", 150), ("ja", 150)])
 @pytest.mark.parametrize("name", PLACES)
 def test_no_text_is_cut(
@@ -292,8 +305,12 @@ def test_no_text_is_cut(
         window = made.window
         assert speaking.code == code
         ours = {said if code == "ja" else text for _, text, said in JAPANESE}
-        window.open_file("conversation.spds.xml" if name == "conversation" else "reception.rbd.xml")
         found: set[str] = set()
+        for page in ("situ.toml", "texts", "media/"):
+            window.open_file(page)
+            made.settle()
+            found.update(cut(window, ours))
+        window.open_file(FILES[name])
         for mode in ("graph", "outline"):
             window.show_mode(mode)
             for place in PLACES[name]:

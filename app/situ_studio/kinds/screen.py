@@ -161,7 +161,7 @@ BUTTON = Kind(
             help="A tag that a touch sets, if any.",
             placeholder="nothing",
         ),
-        Field(attribute="value", label="To", help="The value that the tag gets."),
+        Field(attribute="value", label="Value", help="The value that the tag gets."),
     ),
     sections=(_PLACE, _ALIGN, _FIT, _TOUCHED, _LOOKS),
     make=lambda name: rbd.Button(id=name, text="OK", event=event_of(name), **_box(35, 75, 30, 15)),

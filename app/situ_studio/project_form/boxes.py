@@ -11,11 +11,14 @@ from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QVBoxLay
 from situ.document import toml_writing as writing
 from situ.document.beside import Toml
 from situ_studio.edits.edit import Place
+from situ_studio.looks.letters import px
 from situ_studio.looks.theme import Theme
 from situ_studio.project_form.rows import Checked, Column, Rows
 from situ_studio.widgets.icon_widgets import IconButton
 from situ_studio.wording.language import tr
 
+LABEL = 128
+"""Px that the longest label needs, in any language."""
 Change = Callable[[Toml], Toml]
 Tables = Mapping[str, Any]
 
@@ -83,7 +86,8 @@ class FieldsSection(Section):
             )
             words = QLabel(label)
             words.setProperty("role", "label")
-            words.setFixedWidth(112)
+            # Boxes stand below each other, their fields in one line.
+            words.setMinimumWidth(px(LABEL))
             words.setBuddy(field)
             words.setToolTip(help)
             form.addRow(words, field)

@@ -13,9 +13,11 @@ from situ.document import toml_writing as writing
 from situ.document.beside import Toml
 from situ.document.project import SETTING_TYPES
 from situ_studio.edits.edit import Place
+from situ_studio.looks.letters import px
 from situ_studio.looks.theme import Theme
 from situ_studio.panels.fields import Choice, Line, Number
 from situ_studio.project_form.boxes import (
+    LABEL,
     RowsSection,
     Tables,
     table_of,
@@ -298,7 +300,7 @@ class MqttSection(TableSection):
         line = QHBoxLayout()
         label = QLabel(tr("Broker"))
         label.setProperty("role", "label")
-        label.setFixedWidth(112)
+        label.setMinimumWidth(px(LABEL))
         label.setBuddy(self.broker)
         label.setToolTip(self.broker.toolTip())
         line.addWidget(label)

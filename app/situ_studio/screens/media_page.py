@@ -79,9 +79,11 @@ class MediaPage(QWidget):
         self.add.setToolTip(self.tr("A picture, movie or sound from elsewhere"))
         self.add.clicked.connect(self.import_asked)
         line.addWidget(self.add)
-        hint = QLabel(self.tr("Drag a row onto a screen; Enter shows where it is used."))
-        hint.setProperty("role", "hint")
-        line.addWidget(hint, 1)
+        self.hint = QLabel(self.tr("Drag a row onto a screen; Enter shows where it is used."))
+        self.hint.setProperty("role", "hint")
+        self.hint.setWordWrap(True)
+        line.addWidget(self.hint, 1)
+        line.addStretch()
         column.addLayout(line)
         column.addWidget(rule())
         self.list = _List()
@@ -124,6 +126,7 @@ class MediaPage(QWidget):
         self.list.setCurrentRow(names.index(now) if now in names else 0)
         self.list.setVisible(bool(names))
         self.nothing.setVisible(not names)
+        self.hint.setVisible(bool(names))
 
     def _paint_rows(self) -> None:
         # Qt keeps what painted them before.

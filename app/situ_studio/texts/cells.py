@@ -33,7 +33,7 @@ MARKS: dict[Standing, tuple[str, str]] = {
     "lacking": ("error", "error"),
 }
 """Of what is left to do, icon and colour."""
-_ROOM = 10
+_ROOM = 8
 
 
 class CellEditor(QPlainTextEdit):
@@ -116,7 +116,7 @@ class TextDelegate(QStyledItemDelegate):
 
     def _paint_place(self, painter: QPainter, rect: QRectF, index: AnyIndex) -> None:
         theme = self.theme
-        x = rect.x() + (12 if index.column() == STATE else 8)
+        x = rect.x() + _ROOM
         if index.column() == WHAT:
             box = QRectF(x, rect.y() + 7.5, 15, 15)
             icons.paint(painter, ICONS[index.data(ROW).kind], box, theme.color("text2"))

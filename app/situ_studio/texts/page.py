@@ -6,8 +6,16 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from PySide6.QtCore import QModelIndex, QPoint, Qt, Signal
-from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QMenu, QVBoxLayout, QWidget
+from PySide6.QtGui import QKeySequence, QResizeEvent
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QMenu,
+    QVBoxLayout,
+    QWidget,
+)
 
 from situ.document.catalogue import Catalogue
 from situ.document.project import Project
@@ -46,7 +54,13 @@ class TextsPage(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addLayout(self._head(theme))
+        self._head = QBoxLayout(QBoxLayout.Direction.LeftToRight)
+        self._head.setContentsMargins(12, 6, 8, 6)
+        self._head.setSpacing(8)
+        self._finding, self._tools = self._make_finding(theme), self._make_tools(theme)
+        self._head.addLayout(self._finding, 1)
+        self._head.addLayout(self._tools)
+        column.addLayout(self._head)
         column.addWidget(rule())
         self.table = TextsTable(theme, tags)
         self.table.go_asked.connect(self.go_asked)
@@ -70,16 +84,23 @@ class TextsPage(QWidget):
         column.addWidget(self.counts)
         self._settle_buttons()
 
-    def _head(self, theme: Theme) -> QHBoxLayout:
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # Where there is no room for both beside each other they are in two lines.
+        wide = sum(part.minimumSize().width() for part in (self._finding, self._tools))
+        fits = wide + 28 <= self.width()
+        way = QBoxLayout.Direction
+        self._head.setDirection(way.LeftToRight if fits else way.TopToBottom)
+
+    def _make_finding(self, theme: Theme) -> QHBoxLayout:
         line = QHBoxLayout()
-        line.setContentsMargins(12, 6, 8, 6)
         line.setSpacing(8)
         self.search = QLineEdit()
         self.search.setPlaceholderText(self.tr("Find a text"))
         self.search.setAccessibleName(self.tr("Find a text"))
         self.search.setToolTip(self.tr("Only texts with these letters, in any language."))
         self.search.setClearButtonEnabled(True)
-        self.search.setMinimumWidth(px(96))
+        self.search.setMinimumWidth(px(72))
         self.search.setMaximumWidth(px(240))
         self.search.textChanged.connect(self._on_filter)
         line.addWidget(self.search, 1)
@@ -103,6 +124,12 @@ class TextsPage(QWidget):
         )
         self.open.toggled.connect(self._on_filter)
         line.addWidget(self.open)
+        line.addStretch(1)
+        return line
+
+    def _make_tools(self, theme: Theme) -> QHBoxLayout:
+        line = QHBoxLayout()
+        line.setSpacing(8)
         line.addStretch(1)
         self.listen = self._button(theme, "sound", self.tr("Listen"), self._on_listen)
         self.confirm = self._button(theme, "check", self.tr("It is right"), self._on_confirm)

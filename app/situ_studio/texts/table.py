@@ -122,7 +122,8 @@ class TextsTable(QTableView):
             header.resizeSection(column, width)
         room = self.viewport().width() - sum(places)
         for column in range(WRITTEN, WRITTEN + count):
-            header.resizeSection(column, max(220, room // max(1, count)))
+            wide = max(220, header.sectionSizeHint(column), room // max(1, count))
+            header.resizeSection(column, wide)
 
     def _settle_soon(self) -> None:
         self._changed = None
