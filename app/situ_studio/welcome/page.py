@@ -194,7 +194,7 @@ class Welcome(QScrollArea):
             self._theme,
             "link",
             self.tr("Connect to a robot"),
-            self.tr("By its address"),
+            self.tr("Found nearby, or by its address"),
             "Ctrl R",
         )
         self.connect_robot.pressed.connect(self.connect_asked)
