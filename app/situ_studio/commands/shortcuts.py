@@ -32,7 +32,7 @@ TREE: tuple[tuple[str, str], ...] = (
     ("F2", "Rename the file of the row"),
     ("Del", "Delete the file of the row"),
 )
-"""What the project's tree does with keys (``document_files``), with what a person reads."""
+"""What the project's tree does with keys (``files.document_files``), with what a person reads."""
 
 
 def rows(keys_of: Mapping[str, list[QKeySequence]]) -> Iterator[tuple[str, str, str]]:
