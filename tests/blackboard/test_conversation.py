@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import asyncio
 import json
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Coroutine, Iterator
 from pathlib import Path
 from typing import Any, Protocol, get_args
 
@@ -17,6 +18,11 @@ import zmq
 from situ.blackboard import protocol, replies
 from situ.blackboard.feeds import Watch
 from situ.blackboard.notices import Change
+from situ.blackboard.replies import Addresses
+from situ.document.project import Project
+from situ.engine.deciding import Setup
+from situ.engine.live import Live
+from situ.engine.perform import Performer
 from situ.rehearse.expect import fits
 
 DEADLINE = 20.0
@@ -113,11 +119,11 @@ class Door(Protocol):
 
 
 class ByZeroMQ:
-    def __init__(self, running: Any) -> None:
-        self._running = running
+    def __init__(self, addresses: Addresses) -> None:
+        self._addresses = addresses
         self._context: zmq.Context[zmq.Socket[bytes]] = zmq.Context()
         self._peers: dict[str, zmq.Socket[bytes]] = {}
-        self._listener = self._socket(zmq.SUB, running.notifications)
+        self._listener = self._socket(zmq.SUB, addresses.notifications)
         self._echoes = 0
 
     def _socket(self, sort: int, address: str) -> zmq.Socket[bytes]:
@@ -128,7 +134,7 @@ class ByZeroMQ:
 
     async def ask(self, peer: str, request: dict[str, Any]) -> dict[str, Any]:
         if peer not in self._peers:
-            self._peers[peer] = self._socket(zmq.DEALER, self._running.endpoint)
+            self._peers[peer] = self._socket(zmq.DEALER, self._addresses.requests)
         self._peers[peer].send(json.dumps(request).encode())
         reply: dict[str, Any] = json.loads(self._peers[peer].recv())
         return reply
@@ -154,8 +160,9 @@ class ByZeroMQ:
 
 
 class ByWebSocket:
-    def __init__(self, running: Any) -> None:
-        self._root, _, self._token = running.http.partition("/?token=")
+    def __init__(self, addresses: Addresses) -> None:
+        assert addresses.http is not None
+        self._root, _, self._token = addresses.http.partition("/?token=")
         self._client = aiohttp.ClientSession()
         self._peers: dict[str, aiohttp.ClientWebSocketResponse] = {}
         self._echoes = 0
@@ -193,15 +200,45 @@ class ByWebSocket:
         await self._client.close()
 
 
+class Unhurried(asyncio.SelectorEventLoop):
+    """A second of its takes a thousand: no lease ends, however slow the machine is."""
+
+    def time(self) -> float:
+        return super().time() / 1000
+
+
+@pytest.fixture
+def addresses(lab: Project) -> Iterator[Addresses]:
+    """Of a real core with both doors."""
+    loop = Unhurried()
+    thread = threading.Thread(target=loop.run_forever)
+    thread.start()
+
+    def wait(what: Coroutine[Any, Any, Any]) -> Any:
+        return asyncio.run_coroutine_threadsafe(what, loop).result(DEADLINE)
+
+    live = Live(
+        lab,
+        Setup(),
+        lambda do, tag: Performer(lab, do, tag=tag, services=("screen",)),
+    )
+    try:
+        yield wait(live.start())
+        wait(live.stop())
+        wait(loop.shutdown_default_executor())
+    finally:
+        loop.call_soon_threadsafe(loop.stop)
+        thread.join()
+        loop.close()
+
+
 @pytest.mark.parametrize("way", [ByZeroMQ, ByWebSocket])
 def test_a_real_core_says_the_same_by_both_doors(
-    run_lab: Callable[..., Any], way: Callable[[Any], Door]
+    addresses: Addresses, way: Callable[[Addresses], Door]
 ) -> None:
-    running = run_lab()
-
     async def replay() -> None:
         async with asyncio.timeout(DEADLINE):
-            door = way(running)
+            door = way(addresses)
             try:
                 await door.follow()
                 for step in STEPS:
