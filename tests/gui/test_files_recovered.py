@@ -145,8 +145,27 @@ def test_no_file_goes_where_not_all_can_be_brought_back(studio: Start, home: Pat
     assert "late.rbd.xml" in used.session.files
     do(used, "save")
     assert used.basket.held == {}
+    assert "night.rbd.xml" not in used.session.dirty
     assert 'x="1"' in (home / "night.rbd.xml").read_text()
     assert 'x="1"' in (home / "ward.spds.xml").read_text()
+
+
+def test_a_file_that_another_program_changed_after_the_crash_stays(
+    studio: Start, home: Path
+) -> None:
+    first = studio(home)
+    rename(first, "night.rbd.xml", "late")
+    delete(first, "turn.rbd.xml")
+    crash(first)
+    (home / "night.rbd.xml").write_text(NIGHT.replace('no="1"', 'no="1" name="Later"'))
+    used = again(studio, home)
+    told = "night.rbd.xml could not go into the waste basket: it stays in the folder."
+    assert used.window.status.said.text() == told
+    do(used, "save")
+    assert used.basket.held == {"turn.rbd.xml": TURN.encode()}
+    assert "Later" in (home / "night.rbd.xml").read_text()
+    assert used.session.files == ["day.rbd.xml", "late.rbd.xml", "ward.spds.xml"]
+    assert used.session.dirty == []
 
 
 _KILLED = """

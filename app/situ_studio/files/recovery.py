@@ -59,8 +59,8 @@ class Recovery(QObject):
         self._session, self._home, self._notice, self._now = session, home, notice, now
         self._file: Path | None = None
         self._lock: QLockFile | None = None
-        self._kept: dict[str, Written | None] = {}
-        self._asked: dict[str, Written | None] = {}
+        self._kept: Wanted | None = None
+        self._asked: Wanted | None = None
         self._told = False
         self._worker = Worker(command, self)
         self._worker.answered.connect(self._on_written)
@@ -91,31 +91,32 @@ class Recovery(QObject):
             self._worker.end()
             self._write(wanted)
         else:
-            self._asked = wanted.values
+            self._asked = wanted
             self._worker.ask(wanted)
 
     def _begin(self) -> Wanted | None:
         """What is to be kept, and where; None where nothing is that is not kept already."""
         self._soon.stop()
-        values = {
-            file: self._session.value(file)
-            for file in self._session.dirty
-            if not self._session.is_incomplete(file)
-        }
-        if not values:
+        session, values, gone = self._session, dict[str, Written](), dict[str, bytes]()
+        for file in session.dirty:
+            value = session.value(file)
+            if value is None:
+                gone[file] = session.disk.was(file)
+            elif not session.is_incomplete(file):
+                values[file] = value
+        if not values and not gone:
             self.forget()
-            return None
-        last = self._asked if self._worker.is_busy else self._kept
-        if values.keys() == last.keys() and all(values[f] is last[f] for f in values):
             return None
         try:
             if self._file is None:
                 self._home.mkdir(parents=True, exist_ok=True)
-                self._file, self._lock = self._free(self._session.root)
+                self._file, self._lock = self._free(session.root)
         except OSError as error:
             self._tell(str(error))
             return None
-        return Wanted(self._file, str(self._session.root.resolve()), self._now(), values)
+        wanted = Wanted(self._file, str(session.root.resolve()), self._now(), values, gone)
+        last = self._asked if self._worker.is_busy else self._kept
+        return None if last is not None and wanted.is_like(last) else wanted
 
     def _write(self, wanted: Wanted) -> None:
         try:
@@ -123,7 +124,7 @@ class Recovery(QObject):
         except SituError as error:
             self._tell(str(error))
         else:
-            self._kept, self._told = wanted.values, False
+            self._kept, self._told = wanted, False
 
     def _on_written(self, refused: str) -> None:
         if refused:
@@ -149,7 +150,7 @@ class Recovery(QObject):
     def forget(self) -> None:
         """Takes away what this window kept: it is saved, or was given up by a person."""
         self._soon.stop()
-        self._kept = {}
+        self._kept = None
         if self._worker.is_busy:
             self._worker.end()
             leftovers.clear(self._home)
@@ -194,7 +195,7 @@ class Recovery(QObject):
                 return
 
     def _offer(self, file: Path, found: Kept) -> None:
-        names = ", ".join(found.files)
+        names = ", ".join((*found.files, *found.gone))
         text = self.tr("There are changes to {0} of {1} that were not saved.")
         self._notice.ask(
             text.format(names, f"{found.at:%Y-%m-%d %H:%M}"),
@@ -203,30 +204,34 @@ class Recovery(QObject):
         )
 
     def _restore(self, file: Path, found: Kept) -> None:
-        """As one step, that can be undone. Where a file can not be brought back, none goes."""
+        """As one step, that can be undone. Where a file can not be brought back, none goes; nor
+        does one that is not what it was.
+        """
         session = self._session
         values: dict[str, Written | None] = {}
         for name, text in found.files.items():
-            if text is not None:
-                value, _ = edit.read(text.encode(), name)
-                if isinstance(value, Lines):
-                    session.contents.attend((name,))
-                now = session.value(name)
-                # What was made, and not saved, is known to no file of the project yet.
-                new = now is None and isinstance(value, Document | Catalogue)
-                fits = value is not None and (new or type(value) is type(now))
-                if fits and not session.is_incomplete(name):
-                    values[name] = value
-        gone = [f for f, t in found.files.items() if t is None and not session.is_incomplete(f)]
-        if len(values) + len(gone) == len(found.files):
-            values |= dict.fromkeys(gone)
-            session.contents.take_away(gone)
-        session.commit_all(values, self.tr("Bring back unsaved changes"))
+            value, _ = edit.read(text.encode(), name)
+            if isinstance(value, Lines):
+                session.contents.attend((name,))
+            now = session.value(name)
+            # What was made, and not saved, is known to no file of the project yet.
+            new = now is None and isinstance(value, Document | Catalogue)
+            fits = value is not None and (new or type(value) is type(now))
+            if fits and not session.is_incomplete(name):
+                values[name] = value
+        gone = [f for f in found.gone if not session.disk.is_missing(f)]
+        whole = len(values) == len(found.files)
+        going = [f for f in gone if whole and session.disk.digest(f) == found.gone[f]]
+        session.contents.take_away(going)
+        session.commit_all(values | dict.fromkeys(going), self.tr("Bring back unsaved changes"))
+        for name in gone:
+            if name not in going:
+                session.left_over.emit(name)
         session.stack_changed.emit()
         # Only once they are kept anew.
         self.keep()
         file.unlink(missing_ok=True)
 
 
-def _size(value: Written | None) -> int:
+def _size(value: Written) -> int:
     return len(value.states) if isinstance(value, Application) else 0

@@ -42,14 +42,14 @@ class FolderWatch(QObject):
         """Sees the documents ``files`` as they are now. beside: what is read with them."""
         self.root = root
         self._files = list(files)
-        self._beside = {file: self._digest(file) for file in beside}
-        self._seen = {file: self._digest(file) for file in self._files} | self._beside
+        self._beside = {file: self.digest(file) for file in beside}
+        self._seen = {file: self.digest(file) for file in self._files} | self._beside
         self.watch()
 
     def attend(self, files: Iterable[str], beside: Iterable[str]) -> None:
         """The project consists of these now; what was seen of a document before is still known."""
         self._files = list(files)
-        self._beside = {file: self._digest(file) for file in beside}
+        self._beside = {file: self.digest(file) for file in beside}
         self._seen = self._beside | self._seen
         self.watch()
 
@@ -71,7 +71,7 @@ class FolderWatch(QObject):
 
     def see(self, file: str) -> None:
         """What the file holds now is known here."""
-        self._seen[file] = self._digest(file)
+        self._seen[file] = self.digest(file)
         if file in self._beside:
             self._beside[file] = self._seen[file]
         elif file not in self._files:
@@ -96,9 +96,13 @@ class FolderWatch(QObject):
         self.leave(file)
         self._seen.pop(file, None)
 
+    def was(self, file: str) -> bytes:
+        """As ``digest``, of the file as it was last seen here."""
+        return self._seen.get(file, b"")
+
     def is_other(self, file: str) -> bool:
         """Whether the file holds something that was never seen here."""
-        return self._digest(file) != self._seen.get(file)
+        return self.digest(file) != self._seen.get(file)
 
     def is_missing(self, file: str) -> bool:
         return not (self.root / file).is_file()
@@ -113,7 +117,7 @@ class FolderWatch(QObject):
         if self._was_gone:
             self._was_gone = False
             self.back.emit()
-        beside = {file: self._digest(file) for file in self._beside}
+        beside = {file: self.digest(file) for file in self._beside}
         if beside != self._beside:
             self._beside = beside
             self.settings_changed.emit()
@@ -139,7 +143,8 @@ class FolderWatch(QObject):
         if path != above or self.is_gone != self._was_gone:
             self.look()
 
-    def _digest(self, file: str) -> bytes:
+    def digest(self, file: str) -> bytes:
+        """Tells what the file holds now from all else that it could hold."""
         try:
             return hashlib.sha256((self.root / file).read_bytes()).digest()
         except OSError:
