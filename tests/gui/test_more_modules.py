@@ -124,6 +124,15 @@ def test_enter_adds_the_module_and_it_leaves_the_list(drawing: Any) -> None:
     assert "nod" in names(drawing)
 
 
+def test_in_a_high_window_all_are_seen_right_below_their_heading(drawing: Any) -> None:
+    drawing.window.resize(1280, 1440)
+    drawing.settle()
+    more = drawing.window.outline.more
+    assert more.list.geometry().top() - more.title.geometry().bottom() <= 3
+    assert more.list.verticalScrollBar().maximum() == 0
+    assert more.list.height() == more.list.sizeHintForRow(0) * len(names(drawing))
+
+
 def test_a_module_dropped_on_a_situation_gets_a_priority_there(drawing: Any) -> None:
     model = drawing.window.outline.more.list.model()
     data: QMimeData = model.mimeData([model.index(names(drawing).index("nod"), 0)])

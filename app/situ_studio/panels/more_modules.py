@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from PySide6.QtCore import QMimeData, QModelIndex, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QStandardItem, QStandardItemModel
-from PySide6.QtWidgets import QLabel, QListView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QListView, QSizePolicy, QVBoxLayout, QWidget
 
 from situ_studio.kinds import MODULE_MIME
 from situ_studio.looks.letters import px
@@ -15,8 +15,6 @@ from situ_studio.panels.lists import COUNT, DETAIL, ICON, MARKS, PLACE, RowDeleg
 from situ_studio.project.known_modules import Known
 from situ_studio.wording.language import tr
 
-ROWS = 4
-"""So many are seen at the most; the others are reached by scrolling."""
 HIGH = 44
 """Px of a row."""
 
@@ -74,9 +72,12 @@ class MoreModules(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 8, 0, 0)
         column.setSpacing(2)
+        # Never higher than its rows: the heading would stand far above them.
+        column.setSizeConstraint(QVBoxLayout.SizeConstraint.SetMinAndMaxSize)
         self.title = QLabel(self.tr("Not in this script"))
         self.title.setProperty("role", "dim")
-        self.title.setContentsMargins(16, 0, 8, 0)
+        self.title.setContentsMargins(12, 0, 8, 0)
+        self.title.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         column.addWidget(self.title)
         self.list = _List()
         self.list.setAccessibleName(self.title.text())
@@ -107,7 +108,7 @@ class MoreModules(QWidget):
         self._model.clear()
         for one in shown:
             self._model.appendRow(self._row(one))
-        self.list.setMaximumHeight(px(HIGH) * min(ROWS, len(shown)))
+        self.list.setMaximumHeight(px(HIGH) * len(shown))
         self.list.setMinimumHeight(px(HIGH))
         self.setVisible(bool(shown))
 
