@@ -187,8 +187,8 @@ class Designer(QWidget):
         here = here or self.tr("In every state")
         self.crumbs.show_way((application.name, here, self.tr("Screen")))
         self.strip.show_state(application, place)
-        self._show_layers(selected)
         self._show_values()
+        self._show_layers(selected)
         self.guiding.show_document(application)
 
     def _show_layers(self, selected: tuple[Place, ...]) -> None:

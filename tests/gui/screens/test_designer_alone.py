@@ -471,6 +471,15 @@ def test_the_list_of_what_lies_on_the_screen_follows_what_is_selected_there(desk
         desk.settle()
         assert set(desk.sheet.selected) == ids
         assert marked() == ids
+    # What comes back is selected again.
+    before = desk.document
+    QTest.mouseClick(desk.sheet, LEFT, NONE, desk.at(80, 40))
+    QTest.keyClick(desk.sheet, Qt.Key.Key_Delete)
+    assert "robot" not in layers.ids
+    desk.document, desk.selected = before, (("state", "2", "screen", "robot"),)
+    desk._show()
+    assert marked() == set(desk.sheet.selected) == {"robot"}
+    desk.sheet.choose(())
     desk.sheet.setFocus()
     QTest.keyClick(desk.sheet, Qt.Key.Key_Tab)
     assert marked() == set(desk.sheet.selected) == {"hello"}
