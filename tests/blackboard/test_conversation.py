@@ -14,6 +14,7 @@ import aiohttp
 import msgspec
 import pytest
 import zmq
+from tests.unhurried import Unhurried
 
 from situ.blackboard import protocol, replies
 from situ.blackboard.feeds import Watch
@@ -198,13 +199,6 @@ class ByWebSocket:
 
     async def close(self) -> None:
         await self._client.close()
-
-
-class Unhurried(asyncio.SelectorEventLoop):
-    """A second of its takes a thousand: no lease ends, however slow the machine is."""
-
-    def time(self) -> float:
-        return super().time() / 1000
 
 
 @pytest.fixture

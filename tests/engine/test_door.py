@@ -12,6 +12,7 @@ from typing import Any
 
 import aiohttp
 import pytest
+from tests.unhurried import Unhurried
 
 from situ.blackboard import gate
 from situ.blackboard.asynchronous import AsyncBoard
@@ -130,7 +131,9 @@ def receive(scenario: Callable[[House], Awaitable[None]], keys: RobotKeys | None
             finally:
                 await house.stop()
 
-    asyncio.run(run())
+    # Who says nothing for a while, on a machine that is slow, does not lose its session here.
+    with asyncio.Runner(loop_factory=Unhurried) as runner:
+        runner.run(run())
 
 
 def test_a_visitor_talks_to_the_core_as_by_zeromq() -> None:
