@@ -107,4 +107,4 @@ def _end(*processes: QProcess) -> None:
     for process in processes:
         if process.state() != QProcess.ProcessState.NotRunning:
             process.kill()
-            process.waitForFinished(1000)
+            process.waitForFinished()

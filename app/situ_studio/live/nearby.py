@@ -61,7 +61,7 @@ class NearbyRobots(QObject):
         if process is not None:
             process.blockSignals(True)
             process.kill()
-            process.waitForFinished(1000)
+            process.waitForFinished()
             process.deleteLater()
 
     def _read(self) -> None:

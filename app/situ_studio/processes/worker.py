@@ -120,4 +120,4 @@ class Worker(QObject):
 def _end(*processes: QProcess) -> None:
     for process in processes:
         process.kill()
-        process.waitForFinished(1000)
+        process.waitForFinished()
