@@ -184,6 +184,7 @@ def test_an_application_a_screen_and_the_pages(studio: Start, project: Copy) -> 
     assert shown(used, "reception.rbd.xml", "split", "state", "5") == []
     assert shown(used, "reception.rbd.xml", "screen", "state", "5", "screen", "no") == []
     assert shown(used, "texts") == []
+    assert shown(used, "media/") == []
     assert shown(used, "situ.toml") == []
 
 
