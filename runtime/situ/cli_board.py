@@ -219,11 +219,13 @@ def _table(rows: list[tuple[str, ...]]) -> None:
 
 
 def _trace(args: argparse.Namespace) -> int:
-    from situ.engine.trace_file import TraceFile, heading
+    from situ import __version__
+    from situ.engine.trace_file import TraceFile
+    from situ.rehearse.mcap_file import heading
 
     with connect(args, args.role) as board, board.trace(args.since) as events:
         said = board.documents()
-        head = heading(said.project, said.files, masked=args.role == "viewer")
+        head = heading(said.project, said.files, __version__, masked=args.role == "viewer")
         if args.record is not None:
             documents = {} if head.masked else said.files
             return _record(args, board, events, TraceFile(args.record, head, documents))

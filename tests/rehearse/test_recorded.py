@@ -26,10 +26,10 @@ from situ.decide.step import SECOND
 from situ.decide.trace import to_line
 from situ.document.folder import sources
 from situ.document.ready import load_ready
-from situ.engine.record import McapFile
 from situ.errors import UsageError
 from situ.rehearse import recorded, scenario
 from situ.rehearse.expect import Expect
+from situ.rehearse.mcap_file import McapFile
 from situ.rehearse.recorded import Difference, Document, Heading, Line, Piece, Snapshot, Taken, Torn
 from situ.rehearse.recording import Recording, read_trace
 from situ.rehearse.recording import read as read_run

@@ -6,14 +6,13 @@ it: what can not be written ends the recording, with a line in the log.
 
 from __future__ import annotations
 
-import contextlib
 import itertools
 import logging
 import math
 import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import msgspec
 from msgspec import Struct
@@ -24,18 +23,17 @@ from situ.blackboard.backlog import stamped
 from situ.decide.inputs import AnyInput
 from situ.decide.step import SECOND
 from situ.decide.trace import TraceEvent
-from situ.document.folder import PROJECT_FILE
 from situ.document.project import Project
 from situ.errors import UsageError
 
 if TYPE_CHECKING:
+    from situ.rehearse.mcap_file import McapFile
     from situ.rehearse.recorded import Heading
 
 FLUSH = 1.0
 """Seconds after which what was recorded is handed to the system."""
 MANY = 64
 """Messages that are put into the file at once, so that no step waits for many."""
-CHUNK = 256 * 1024
 
 RING = "ring"
 SPAN = 300.0
@@ -64,6 +62,7 @@ class Run(Struct, frozen=True):
     version: int = 0
 
     def heading(self, documents: Iterable[str]) -> Heading:
+        from situ.rehearse.mcap_file import main_file
         from situ.rehearse.recorded import Heading
 
         project = self.project
@@ -201,6 +200,8 @@ class Recorder:
             return
         assert self._run is not None
         if self._file is None:
+            from situ.rehearse.mcap_file import McapFile
+
             self._file = McapFile(
                 self._files.open(), self._run.heading(self._documents), self._documents
             )
@@ -286,114 +287,6 @@ class RingFiles:
     def found(self) -> list[Path]:
         """Those that there are, the oldest first."""
         return sorted(file for file in self._folder.glob("*.mcap") if file.stem.isdecimal())
-
-
-class McapFile:
-    """One MCAP file, into a descriptor that it closes. Every call may raise OSError.
-
-    grown: bytes written after what heads it. ``flush`` makes whole all that was added;
-    ``finish`` ends it with its index; ``give_up`` leaves what is whole.
-    """
-
-    def __init__(self, file: int, heading: Heading, documents: Mapping[str, str]) -> None:
-        from mcap.writer import Writer
-
-        from situ.rehearse import recorded
-
-        self._out = _Out(file)
-        self._counts = dict.fromkeys((recorded.TRACE, recorded.INPUTS, recorded.SNAPSHOT), 0)
-        writer: Any = Writer(self._out, chunk_size=CHUNK)  # type: ignore[arg-type]
-        self._writer = writer
-        writer.start(profile="situ", library=f"situ {situ.__version__}")
-        writer.add_metadata(recorded.NAME, {"heading": _encode(heading).decode(), **_said(heading)})
-        for path, text in documents.items():
-            writer.add_attachment(0, 0, path, _media_type(path), text.encode())
-        schemas = {
-            recorded.TRACE: ("situ.Trace", recorded.trace_schema()),
-            recorded.INPUTS: ("situ.Input", recorded.inputs_schema()),
-            recorded.SNAPSHOT: ("situ.Snapshot", b'{"type":"object"}'),
-        }
-        self._channels = {
-            topic: writer.register_channel(
-                topic, "json", writer.register_schema(name, "jsonschema", schema)
-            )
-            for topic, (name, schema) in schemas.items()
-        }
-        self._head = self._out.tell()
-
-    @property
-    def grown(self) -> int:
-        return self._out.tell() - self._head
-
-    def add(self, topic: str, moment: float, body: bytes) -> None:
-        """A message; moment: UNIX time in s."""
-        self._counts[topic] += 1
-        at = max(0, int(moment * 1e9))
-        self._writer.add_message(self._channels[topic], at, body, at, self._counts[topic])
-
-    def flush(self) -> None:
-        self._writer.flush()
-
-    def finish(self) -> None:
-        self._writer.finish()
-        self._out.flush()
-        self._out.close()
-
-    def give_up(self) -> None:
-        self._out.close()
-
-
-class _Out:
-    """What mcap writes to: handed to the system by ``flush``, all of it or nothing."""
-
-    def __init__(self, file: int) -> None:
-        self._file = file
-        self._buffer = bytearray()
-        self._whole = 0
-
-    def write(self, data: bytes) -> int:
-        self._buffer += data
-        return len(data)
-
-    def tell(self) -> int:
-        return self._whole + len(self._buffer)
-
-    def flush(self) -> None:
-        left = bytes(self._buffer)
-        try:
-            while left:
-                left = left[os.write(self._file, left) :]
-        except OSError:
-            with contextlib.suppress(OSError):
-                os.ftruncate(self._file, self._whole)
-            raise
-        self._whole += len(self._buffer)
-        self._buffer.clear()
-
-    def close(self) -> None:
-        os.close(self._file)
-
-
-def main_file(documents: Iterable[str]) -> str:
-    """The one that the project is read from: ``situ.toml``, else there is only one."""
-    paths = list(documents)
-    return PROJECT_FILE if PROJECT_FILE in paths else next(iter(paths), "")
-
-
-def _said(heading: Heading) -> dict[str, str]:
-    """The heading for people."""
-    masked = "yes: it can not be replayed" if heading.masked else "no"
-    return {
-        "runtime": heading.runtime,
-        "version": heading.version,
-        "project": heading.project,
-        "masked": masked,
-    }
-
-
-def _media_type(path: str) -> str:
-    kinds = {".xml": "application/xml", ".toml": "application/toml"}
-    return kinds.get(Path(path).suffix, "text/plain")
 
 
 _encode = msgspec.json.Encoder().encode

@@ -6,7 +6,8 @@ from collections.abc import Iterable
 
 import msgspec
 
-from situ.engine.record import Files, McapFile
+from situ.engine.record import Files
+from situ.rehearse.mcap_file import McapFile
 from situ.rehearse.recorded import (
     INPUTS,
     SNAPSHOT,

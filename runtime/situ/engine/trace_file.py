@@ -8,9 +8,9 @@ from typing import Any
 
 import msgspec
 
-import situ
-from situ.engine.record import McapFile, OneFile, main_file
-from situ.rehearse.recorded import TRACE, Document, Heading, loaded
+from situ.engine.record import OneFile
+from situ.rehearse.mcap_file import McapFile
+from situ.rehearse.recorded import TRACE, Heading
 
 
 class TraceFile:
@@ -45,14 +45,3 @@ class TraceFile:
     def _open(self, *, goes_on: bool) -> McapFile:
         file = OneFile(self._path, goes_on=goes_on).open()
         return McapFile(file, self._heading, self._documents)
-
-
-def heading(name: str, documents: dict[str, str], *, masked: bool) -> Heading:
-    """What runs there, as far as its documents tell."""
-    bare = Heading(version=situ.__version__, project=name, file=main_file(documents), masked=masked)
-    files = [Document(path, text.encode()) for path, text in documents.items()]
-    project = loaded(bare, files)
-    if project is None:
-        return bare
-    tags = {} if masked else project.tags
-    return msgspec.structs.replace(bare, tags=tags, private=project.private)

@@ -3,7 +3,7 @@
 A file is headed by who ran (``Heading``) and the project's documents (``Document``). Then come, on
 the channels ``/inputs`` and ``/trace``, each step's input (``Taken``) and its trace events
 (``Line``); a recording that does not begin with the run has the robot's state (``Snapshot``, on
-``/snapshot``) before its first step. ``situ.engine.record`` writes them.
+``/snapshot``) before its first step. ``situ.rehearse.mcap_file`` writes them.
 """
 
 from __future__ import annotations
