@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from situ.document.rbd import Application
 from situ_studio.assistive.tab_order import BEHIND
+from situ_studio.looks.letters import px
 from situ_studio.looks.theme import Theme
 from situ_studio.screens import guides as of_screens
 from situ_studio.screens import snapping
@@ -105,15 +106,15 @@ class Guiding(QObject):
         return line
 
     def _lay_out(self) -> None:
-        room, sheet = self._ground.room, self._sheet.geometry()
+        room, sheet, wide = self._ground.room, self._sheet.geometry(), px(ROOM)
         for line in self._lines:
             guide = line.guide
             if guide.axis == "x":
                 middle = sheet.left() + sheet.width() * guide.at / 100
-                line.setGeometry(round(middle) - ROOM // 2, room.top(), ROOM, room.height())
+                line.setGeometry(round(middle) - wide // 2, room.top(), wide, room.height())
             else:
                 middle = sheet.top() + sheet.height() * guide.at / 100
-                line.setGeometry(room.left(), round(middle) - ROOM // 2, room.width(), ROOM)
+                line.setGeometry(room.left(), round(middle) - wide // 2, room.width(), wide)
             line.setVisible(not self._sheet.isHidden())
             line.raise_()
 

@@ -20,6 +20,7 @@ from situ.document.aside import NOTHING
 from situ.document.export import deployable
 from situ.document.folder import load
 from situ.document.rbd import Application
+from situ_studio.looks import letters
 from situ_studio.looks.theme import LIGHT
 from situ_studio.screens import guides
 from situ_studio.screens.guides import Guide
@@ -262,6 +263,28 @@ def test_tab_goes_through_all_guides_behind_the_last_component_wherever_they_sta
         used.key(Qt.Key.Key_Backtab, SHIFT)
         back.append(QApplication.focusWidget())
     assert back[1:] == [*reversed(lines), sheet]
+
+
+def test_the_place_of_a_guide_is_read_whole_in_large_letters_too(drawing: Drawing) -> None:
+    used = drawing.used
+    document = used.session.document("reception.rbd.xml")
+    letters.use(150)
+    try:
+        used.session.commit(
+            "reception.rbd.xml", guides.put(document, (Guide("x", 58.8),)), "Guides"
+        )
+        used.settle()
+        (line,) = drawing.designer.guiding.lines
+        line.setFocus()
+        seen, ink = line.grab().toImage(), used.window.theme.color("guides")
+    finally:
+        letters.use(100)
+    # Its ground is seen in the row of pixels where the pill stands, and ends within.
+    row = round((line.height() - 8) * seen.devicePixelRatio())
+    inked = [x for x in range(seen.width()) if seen.pixelColor(x, row) == ink]
+    assert len(inked) > 10
+    assert 0 < inked[0]
+    assert inked[-1] < seen.width() - 1
 
 
 def test_components_are_drawn_to_guides_which_no_robot_gets(drawing: Drawing) -> None:
