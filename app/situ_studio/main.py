@@ -30,7 +30,7 @@ from situ_studio.views.table import VIEWS
 from situ_studio.welcome.project_pictures import Example
 from situ_studio.window.main_window import MainWindow
 from situ_studio.window.windows import Windows
-from situ_studio.wording.language import LANGUAGES, Speaking
+from situ_studio.wording.language import LANGUAGES, Speaking, spoken
 
 _log = logging.getLogger("situ.studio")
 
@@ -87,7 +87,7 @@ def _windows(settings: QSettings, theme: str | None, language: str | None) -> Wi
 
 
 def shipped_examples() -> list[Example]:
-    """The examples that can be read, with the first sentence of their README."""
+    """Those that can be read, with the first sentence of their README in the user's language."""
     found = []
     for name, where in examples().items():
         try:
@@ -101,15 +101,16 @@ def shipped_examples() -> list[Example]:
 
 
 def _about(where: Path) -> str:
-    """The first sentence of a README, or nothing."""
+    """The first sentence of a README in the user's language, else in English, or nothing."""
+    theirs = where / f"README.{spoken()}.md"
     try:
-        text = (where / "README.md").read_text(encoding="utf-8")
+        text = (theirs if theirs.is_file() else where / "README.md").read_text(encoding="utf-8")
     except OSError:
         return ""
     for paragraph in text.split("\n\n"):
         line = " ".join(paragraph.split())
         if line and not line.startswith(("#", "```", "|", "-", "!")):
-            return re.split(r"(?<=[.!?])\s", line)[0].replace("`", "")
+            return re.split(r"(?<=[.!?])\s|(?<=。)", line)[0].replace("`", "")
     return ""
 
 

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QToolButton, QW
 
 from situ.document import folder
 from situ.document.check import check
-from situ.resources import templates
+from situ.resources import examples, templates
 from situ_studio.looks.theme import LIGHT
 from situ_studio.welcome import recent
 from situ_studio.welcome.project_pictures import SmallPicture, SmallPictures
@@ -232,3 +232,10 @@ def test_the_foot_of_the_page_changes_the_language(studio: Start) -> None:
             QApplication.processEvents()
         (window,) = windows.windows
         assert window.welcome.languages.button(code).isChecked()
+        for name in examples():
+            (about,) = (
+                label.text()
+                for label in window.welcome.example(name).findChildren(QLabel)
+                if label.wordWrap()
+            )
+            assert about.endswith("。" if code == "ja" else "."), about
