@@ -123,7 +123,8 @@ def turn_to(heading: float, wanted: float) -> float:
 
 
 def drive_to(start: tuple[float, ...], place: tuple[float, float, float]) -> Path:
-    """Turns towards the place, drives there straight, and turns as the place says."""
+    """Turns towards the place, drives there straight, and turns as the place says. For a
+    millimetre it does not drive."""
     x, y, heading = start
     goal_x, goal_y, goal_heading = place
     distance = math.hypot(goal_x - x, goal_y - y)
@@ -132,9 +133,9 @@ def drive_to(start: tuple[float, ...], place: tuple[float, float, float]) -> Pat
         towards = turn_to(heading, math.degrees(math.atan2(goal_y - y, goal_x - x)))
         legs.append(((x, y, towards), abs(towards - heading) / TURN_SPEED))
         legs.append(((goal_x, goal_y, towards), distance / DRIVE_SPEED))
-        heading = towards
+        x, y, heading = goal_x, goal_y, towards
     last = turn_to(heading, goal_heading)
-    legs.append(((goal_x, goal_y, last), abs(last - heading) / TURN_SPEED))
+    legs.append(((x, y, last), abs(last - heading) / TURN_SPEED))
     return path(start, *legs)
 
 
