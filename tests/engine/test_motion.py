@@ -26,7 +26,7 @@ poses = st.tuples(metres, metres, degrees)
 
 
 @given(poses, poses, st.floats(0, 1), st.floats(0.001, 0.5))
-@example((0.0, 0.0, 0.0), (0.0, 0.001, 0.0625), 0.0, 0.002)
+@example((0.0, 0.0, 0.0), (0.0, 0.001, 0.0625), 0.0, 0.001)
 def test_a_drive_ends_at_its_place_and_never_exceeds_its_speeds(
     start: tuple[float, float, float],
     place: tuple[float, float, float],
