@@ -134,7 +134,7 @@ def _where(document: Document, mention: Mention, value: Any) -> str:
     sections = (f for s in kind.sections for f in s.fields) if kind is not None else ()
     fields = (*kind.fields, *sections) if kind is not None else ()
     label = next((f.label for f in fields if f.attribute == mention.attribute), "")
-    shown = ", ".join(w for w in (outer, inner) if w)
+    shown = tr(", ").join(w for w in (outer, inner) if w)
     if mention.attribute == mentions.NOTE:
         return f"{shown}: {tr('note')}"
     plain = mention.attribute in ("no", "name", "text") or not label

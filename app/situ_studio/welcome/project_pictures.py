@@ -21,7 +21,7 @@ from situ_studio.looks import icons
 from situ_studio.looks.letters import px
 from situ_studio.looks.theme import Theme
 from situ_studio.welcome import thumbnail
-from situ_studio.wording.language import count
+from situ_studio.wording.language import count, tr
 
 SMALL = 0.3
 """The scale of a small picture."""
@@ -76,7 +76,7 @@ def facts(document: Application | Spds | None) -> str:
                 len(document.modules), said("Status", "{0} module"), said("Status", "{0} modules")
             ),
         )
-        return ", ".join(parts)
+        return tr(", ").join(parts)
     return ""
 
 

@@ -20,7 +20,7 @@ from situ_studio.looks.letters import px
 from situ_studio.looks.theme import Theme
 from situ_studio.processes.working import WorkStrip
 from situ_studio.widgets.icon_widgets import Elided, IconLabel, ThemedButton
-from situ_studio.wording.language import count
+from situ_studio.wording.language import count, tr
 
 SAID_FOR = 6000
 """Milliseconds that a passing message stays."""
@@ -196,7 +196,7 @@ class Status(QStatusBar):
             ]
         elif document is not None:
             words = [count(len(document.modules), self.tr("{0} module"), self.tr("{0} modules"))]
-        self.counts.setText(", ".join(words))
+        self.counts.setText(tr(", ").join(words))
 
     def show_saved(self, unsaved: int, at: datetime | None, there: bool) -> None:
         """unsaved: how many documents; there: whether a project is open at all."""
