@@ -143,6 +143,9 @@ class Answers:
     def recording(self) -> Any:
         return self._take("recording")
 
+    def recording_to(self, usual: str) -> Any:
+        return self._take("recording_to")
+
     def field_recordings(self) -> Any:
         return self._take("field_recordings")
 

@@ -16,6 +16,15 @@ RECORDINGS: tuple[Command, ...] = (
         tip="Look at what a robot did before: all views show the moment that you choose.",
     ),
     row(
+        "recording.save",
+        "Save as a recording…",
+        "save_recording",
+        menu="Robot",
+        when="can_save_recording",
+        tip="What is seen of the robot is written into a file: to be looked at, compared and "
+        "counted later.",
+    ),
+    row(
         "recording.close",
         "Close the recording",
         "close_recording",

@@ -26,6 +26,7 @@ def reasons() -> dict[str, str]:
         "compares": tr("compare two runs first"),
         "can_break": tr("select a state, transition or situation first"),
         "can_deploy": tr("connect to a robot first"),
+        "can_save_recording": tr("connect to a robot first"),
         "can_duplicate": part,
         "can_enter_part": inside,
         "can_find_usages": selection,

@@ -22,6 +22,9 @@ class RobotCommands(FileCommands):
     def compares(self) -> bool:
         return self._window.robot.comparing.comparing.goes
 
+    def can_save_recording(self) -> bool:
+        return self._window.robot.saving.can_save
+
     def has_recording(self) -> bool:
         return self._window.robot.recording is not None
 
@@ -79,6 +82,9 @@ class RobotCommands(FileCommands):
         path = self._window.dialogs.recording()
         if path is not None:
             self._window.robot.open_recording(path)
+
+    def save_recording(self) -> None:
+        self._window.robot.saving.ask()
 
     def close_recording(self) -> None:
         self._window.robot.close_recording()

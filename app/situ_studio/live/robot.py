@@ -18,6 +18,7 @@ from situ_studio.live.follower import Follower
 from situ_studio.live.following import FollowMode
 from situ_studio.live.link import RobotLink
 from situ_studio.live.recordings import Recording
+from situ_studio.live.saving_recording import SavingRecording
 from situ_studio.live.telling import SituationTelling
 from situ_studio.live.timeline.bookmarks import beside
 from situ_studio.live.timeline.panel import Timeline
@@ -73,6 +74,7 @@ class RobotSide(QObject):
         """The one that is looked at, instead of the robot."""
         self.chosen = ChosenRecording(window, self)
         self.chosen.read.connect(self.show_recording)
+        self.saving = SavingRecording(window, self)
         self.comparing = ComparingSide(window, self)
         self.link.state_changed.connect(self.settle)
         window.session.changed.connect(self._on_changed)

@@ -168,6 +168,16 @@ class Dialogs(QObject):
         )
         return Path(chosen) if chosen else None
 
+    def recording_to(self, usual: str) -> Path | None:
+        """The file that a run goes to; None: nothing was chosen."""
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._window,
+            self.tr("Save as a recording"),
+            usual,
+            self.tr("Recordings ({0})").format("*.mcap"),
+        )
+        return Path(chosen) if chosen else None
+
     def field_recordings(self) -> list[Path]:
         """The files of recorded runs; none: nothing was chosen."""
         chosen, _ = QFileDialog.getOpenFileNames(
