@@ -11,7 +11,15 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtPrintSupport import QPrinter, QPrintPreviewDialog
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractItemView, QApplication, QTableView, QTreeView, QWidget
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QApplication,
+    QCheckBox,
+    QDialog,
+    QTableView,
+    QTreeView,
+    QWidget,
+)
 from tests.gui.live.test_comparing import until as until_compared
 from tests.gui.live.test_connecting import Told
 from tests.gui.live.test_field import recorded, until_counted
@@ -188,6 +196,10 @@ def test_an_application_a_screen_and_the_pages(studio: Start, project: Copy) -> 
     assert shown(used, "situ.toml") == []
 
 
+def test_the_page_on_which_one_begins(studio: Start) -> None:
+    assert round_from_the_toolbar(studio()) == []
+
+
 def test_a_script_its_matrix_and_a_rehearsal(studio: Start, project: Copy) -> None:
     used = studio(project("conversation"))
     script = "conversation.spds.xml"
@@ -288,6 +300,52 @@ def test_every_dialog(studio: Start, project: Copy) -> None:
     assert asked(keys) == []
     window.helping.show_topic("kind/state")
     assert asked(window.helping.shown) == []
+
+
+def shown_dialog() -> QDialog:
+    """The one that a command has opened."""
+    every = (one for one in QApplication.topLevelWidgets() if isinstance(one, QDialog))
+    (dialog,) = (one for one in every if one.isVisible())
+    return dialog
+
+
+def test_dialogs_that_commands_open(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    window = used.window
+    window.open_file("reception.rbd.xml")
+    window.actions_.actions["rename_file"].trigger()
+    assert asked(shown_dialog()) == []
+    window.rehearsing.clock = lambda: 0.0
+    window.rehearsing.rehearse()
+    used.settle()
+    window.rehearsing.save()
+    assert asked(shown_dialog()) == []
+    window.rehearsing.end()
+
+
+def test_the_preview_of_a_screen_and_its_sample_values(studio: Start, project: Copy) -> None:
+    used = studio(project("reception"))
+    used.window.open_file("reception.rbd.xml")
+    used.window.show_mode("screen")
+    used.select("state", "5")
+    designer = used.window.designing.designer
+    designer.open_preview()
+    used.settle()
+    page = QAccessible.queryAccessibleInterface(designer.preview.page)
+    assert "Are these your initials?" in page.text(DESCRIPTION)
+    designer.preview.page.setFocus()
+    told = []
+    for _ in range(2):
+        QTest.keyClick(designer.preview.page, Qt.Key.Key_Tab)
+        told.append(page.text(DESCRIPTION))
+    assert told == ["Home", "Repeat"]
+    assert asked(designer.preview) == []
+    designer.sampling.open()
+    popup = QApplication.activePopupWidget()
+    assert popup is not None
+    assert QApplication.focusWidget() is popup.findChildren(QCheckBox)[0]
+    assert faults(popup) == []
+    popup.close()
 
 
 # -- what lies over the window ------------------------------------------------------------------

@@ -8,15 +8,17 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, QSizeF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QAccessible, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
 
 from situ.decide.screens import Shown
 from situ.decide.values import in_text
 from situ.document import rbd
+from situ_studio.assistive.heard_as import hear_as
 from situ_studio.looks.theme import LIGHT, Theme
 from situ_studio.panels.preview import ScreenPreview
 from situ_studio.screens import placing
+from situ_studio.screens.accessible import called
 from situ_studio.screens.component_painting import Stage
 from situ_studio.screens.input_painting import letters, rooms
 from situ_studio.screens.list_painting import Row, rows
@@ -57,6 +59,7 @@ class PreviewPage(ScreenPreview):
         self.field: QLineEdit | None = None
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
+        hear_as(self, QAccessible.Role.Canvas)
         self.bring()
 
     def bring(self) -> None:
@@ -64,6 +67,8 @@ class PreviewPage(ScreenPreview):
         self._close_field()
         self._at = None
         self._show()
+        texts = [in_text(one.get("text")) for one in self._laid_out().content.components]
+        self.setAccessibleDescription(". ".join(filter(None, (self.walk.said, *texts))))
 
     def _show(self) -> None:
         walk = self.walk
@@ -239,8 +244,17 @@ class PreviewPage(ScreenPreview):
             self.update()
             return super().focusNextPrevChild(next)
         self._at = order[at]
+        # A reader tells it again whenever it changes: of the way only where it leads.
+        self.setAccessibleDescription(self._words(self.targets()[self._at]))
         self.update()
         return True
+
+    def _words(self, target: Target) -> str:
+        """What a target is called, as it is shown now."""
+        component, at = target
+        if at >= 0:
+            return in_text(self._shown(component.id)["items"][at]["label"])
+        return in_text(self._shown(component.id).get("text")) or called(component)
 
     def _order(self) -> Iterator[int]:
         """The targets that are seen, as one reads them."""

@@ -128,6 +128,8 @@ class SamplePopup(QFrame):
         self.adjustSize()
         self.move(widget.mapToGlobal(QPoint(0, widget.height() + 4)))
         self.show()
+        # Else keys would go to what has the focus below it.
+        self.use.setFocus(Qt.FocusReason.PopupFocusReason)
 
     def _on_chosen(self, name: str) -> None:
         self.picked.emit(name, self.fields[name].currentData())

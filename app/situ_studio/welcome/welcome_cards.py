@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtGui import QAccessible, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from situ.document.spds import Spds
+from situ_studio.assistive.heard_as import hear_as
 from situ_studio.looks.letters import px
 from situ_studio.looks.theme import Theme
 from situ_studio.welcome.project_pictures import Example, LargePicture, Picture, facts
@@ -26,6 +27,7 @@ class Press(QFrame):
         super().__init__(parent)
         self.setProperty("role", role)
         self.setAccessibleName(words)
+        hear_as(self, QAccessible.Role.Button, lambda card: card.pressed.emit())
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
 
