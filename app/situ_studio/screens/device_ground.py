@@ -71,7 +71,7 @@ class DeviceGround(QWidget):
         self._lay_out()
 
     def _lay_out(self) -> None:
-        device, room = self._device, self.room.adjusted(AROUND, ABOVE, -AROUND, -AROUND)
+        device, room = self._device, self.room.adjusted(AROUND, px(ABOVE), -AROUND, -AROUND)
         scale = min(
             room.width() / (device.wide * (1 + 2 * RIM)),
             room.height() / (device.high + 2 * RIM * device.wide),

@@ -25,6 +25,7 @@ from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QLineEdit, QWid
 
 from situ.document import folder, rbd
 from situ_studio.edits import places
+from situ_studio.looks import letters
 from situ_studio.looks.theme import LIGHT
 from situ_studio.screens import placing
 from situ_studio.screens.designer import Designer
@@ -551,6 +552,23 @@ def test_the_screen_lies_in_its_frame_however_large_the_window_is(desk: Desk) ->
         assert room.contains(area)
         for ruler in desk.designer.ground.rulers:
             assert not ruler.geometry().intersects(room)
+
+
+def test_the_names_above_the_screen_lie_on_no_frame_in_large_letters_either(
+    qt: QApplication, project: Copy
+) -> None:
+    letters.use(150)
+    try:
+        made = Desk(project("reception"))
+        made.holder.resize(1400, 700)
+        made.settle()
+        frame = made.sheet.geometry().top() - 7
+        assert frame > made.designer.crumbs.geometry().bottom()
+        made.holder.close()
+        made.holder.deleteLater()
+        made.settle()
+    finally:
+        letters.use(100)
 
 
 def test_that_a_picture_is_missing_stands_on_it_while_it_is_dragged_too(desk: Desk) -> None:
