@@ -38,6 +38,8 @@ from situ.document.rbd import Always, Application, Event, State
 from situ.resources import resource
 from situ_studio import kinds
 from situ_studio.canvas.menu import FollowMenu
+from situ_studio.canvas.script_nodes import WORD
+from situ_studio.canvas.style import Label
 from situ_studio.edits.mentions import Found, mentions
 from situ_studio.finding.search import search
 from situ_studio.looks.theme import LIGHT
@@ -280,6 +282,14 @@ def cut(window: QWidget, ours: set[str]) -> Iterator[str]:
                 if widget.sectionSizeHint(column) > widget.sectionSize(column) > 0:
                     text = widget.model().headerData(column, Qt.Orientation.Horizontal)
                     yield f"heading {text}"
+
+
+@pytest.mark.usefixtures("qt")
+def test_what_joins_tests_is_whole_in_the_strip_of_its_card() -> None:
+    words = {text: said for context, text, said in JAPANESE if not context}
+    for text in ("until", "all", "any", "none"):
+        for one in (text, words[text]):
+            assert not Label(one, 11, 600, WORD).cut, f"{one} is too long: say {text} shorter"
 
 
 FILES = {"reception": "reception.rbd.xml", "conversation": "conversation.spds.xml"}

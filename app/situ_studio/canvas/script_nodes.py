@@ -18,6 +18,8 @@ from situ_studio.wording.language import tr
 
 RADIUS = 8.0
 EAR = 13.0
+WORD = STRIP - 1
+"""The room of a word in the strip: three letters of Japanese."""
 SMALLEST = 11.0
 """Px on the screen of a name in a small drawing (tokens.md, *Level of detail*)."""
 
@@ -65,8 +67,8 @@ class ScriptItem(NodeFace):
             "extends": Label(node.extends, 11, 400, room),
             "times": Label(node.times, 11, 400, room - 15),
             "number": Label(str(node.number), 11, 600),
-            "joint": Label(joint_word(node.joint), 11, 600, STRIP - 2),
-            "until": Label(tr("until"), 11, 600, STRIP - 2),
+            "joint": Label(joint_word(node.joint), 11, 600, WORD),
+            "until": Label(tr("until"), 11, 600, WORD),
         }
         if half:
             # As large on the screen as can be read, and nothing else.
