@@ -312,9 +312,10 @@ def shown_dialog() -> QDialog:
 def test_dialogs_that_commands_open(studio: Start, project: Copy) -> None:
     used = studio(project("reception"))
     window = used.window
-    window.open_file("reception.rbd.xml")
-    window.actions_.actions["rename_file"].trigger()
-    assert asked(shown_dialog()) == []
+    window.open_file("register.rbd.xml")
+    for command in ("rename_file", "delete_file"):
+        window.actions_.actions[command].trigger()
+        assert asked(shown_dialog()) == []
     window.rehearsing.clock = lambda: 0.0
     window.rehearsing.rehearse()
     used.settle()
