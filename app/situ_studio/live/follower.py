@@ -170,7 +170,8 @@ class Follower(QObject):
         return read[file]
 
     def refresh(self) -> None:
-        """Draws the moment as it is now."""
+        """Draws the moment as it is now, with all that came by now: it is drawn once a frame."""
+        self._soon.stop()
         self._later.stop()
         self._tell()
         for file, live in (self._painted or {}).items():

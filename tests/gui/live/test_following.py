@@ -7,13 +7,15 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAccessible
-from PySide6.QtTest import QTest
+from PySide6.QtTest import QSignalSpy, QTest
 from tests.gui.live.test_log import played
 from tests.gui.live.test_recordings import opened
 
 from situ.document.project import Project
+from situ_studio.live import follower
 from situ_studio.live.log import TraceLog
 from situ_studio.live.views import live_part, live_view, runs_of
 from situ_studio.looks.theme import LIGHT
@@ -175,6 +177,29 @@ def test_a_drawing_that_was_hidden_while_the_robot_went_shows_where_it_is(
     assert not sees("11")
     it.click(button)
     assert sees("11")
+
+
+def test_what_came_before_a_hand_moved_the_cursor_is_drawn_with_it_and_not_once_more(
+    studio: Callable[..., Any],
+    project: Callable[[str], Path],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Else each frame of a scrub is drawn twice while events come."""
+    # A frame is over as soon as the loop turns.
+    monkeypatch.setattr(follower, "FRAME", 0)
+    file = tmp_path / "run.mcap"
+    it, _ = opened(studio, project("conversation"), file, "conversation", "fig5.jsonl")
+    robot = it.window.robot
+    drawn = QSignalSpy(robot.follower.refreshed)
+    robot.link.moment_changed.emit()
+    robot.follower.viewing.seek(3.0)
+    it.settle()
+    assert drawn.count() == 1
+    robot.link.moment_changed.emit()
+    it.settle()
+    assert drawn.count() == 2
+    it.window.commands.close_recording()
 
 
 def test_of_two_drawings_of_one_application_both_move_along(
