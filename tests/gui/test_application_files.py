@@ -161,7 +161,12 @@ def do(used: Any, command: str) -> None:
 
 
 def on_disk(root: Path) -> dict[str, bytes]:
-    return {p.relative_to(root).as_posix(): p.read_bytes() for p in root.rglob("*") if p.is_file()}
+    """The project's files. What the studio keeps in its own, which lie here too, may be written at
+    any moment.
+    """
+    every = {p.relative_to(root).as_posix(): p for p in root.rglob("*") if p.is_file()}
+    own = ("recovery/", "settings.ini")
+    return {file: path.read_bytes() for file, path in every.items() if not file.startswith(own)}
 
 
 def errors(root: Path) -> list[str]:
