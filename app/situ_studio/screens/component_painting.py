@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QTransform
+from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen, QTransform
 
 from situ.decide.screens import Shown
 from situ_studio.looks import icons
@@ -237,15 +237,30 @@ def _picture(painter: QPainter, stage: Stage, one: Shown, box: QRectF) -> None:
         at.moveLeft(box.left())
     elif one.get("align") == "right":
         at.moveRight(box.right())
-    painter.save()
     corners = QPainterPath()
     corners.addRoundedRect(box, stage.corner, stage.corner)
-    painter.setClipPath(corners, Qt.ClipOperation.IntersectClip)
-    draw_picture(painter, at, found)
-    painter.restore()
+    _fill_with_picture(painter, corners, at, found)
 
 
 # -- shapes ----------------------------------------------------------------------------
+
+
+def _fill_with_picture(painter: QPainter, shape: QPainterPath, at: QRectF, found: Picture) -> None:
+    """What of a picture that is drawn into ``at`` lies in ``shape``.
+
+    By no clip: half of a px at its edge would be all of one where little is painted anew.
+    """
+    to_device = painter.deviceTransform()
+    seen = to_device.mapRect(at).toRect()
+    pixels = found.at(seen.size())
+    area = to_device.inverted()[0].mapRect(QRectF(seen)) if pixels.size() == seen.size() else at
+    place = QTransform.fromTranslate(area.x(), area.y())
+    place.scale(area.width() / pixels.width(), area.height() / pixels.height())
+    brush = QBrush(pixels)
+    brush.setTransform(place)
+    beside = QPainterPath()
+    beside.addRect(area)
+    painter.fillPath(shape.intersected(beside), brush)
 
 
 def draw_picture(painter: QPainter, at: QRectF, found: Picture) -> None:

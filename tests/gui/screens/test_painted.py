@@ -155,3 +155,14 @@ def test_only_what_is_another_is_painted_and_a_file_that_is_written_anew(
     assert paint_again(screen) == ["i"]
     shutil.copy(MEDIA / "robot.png", tmp_path / "lobby.png")
     assert paint_again(screen) == ["t", "b", "i"]
+
+
+def test_the_edge_of_a_picture_is_the_same_where_only_what_is_beside_it_is_another(qt: Any) -> None:
+    box: dict[str, Any] = {"y": 0.0, "height": 6.0}
+    wide = rbd.Image(id="wide", src="robot.png", x=0.0, width=60.0, **box)
+    painted = Painted()
+    for x in (38.0, 9.5):
+        small = rbd.Movie(id="small", src="clip.webm", x=x, width=8.0, **box)
+        screen = rbd.Screen(components=(small, wide))
+        whole = seen(Painted(), screen, Values({}), 2.0)
+        assert seen(painted, screen, Values({}), 2.0) == whole
