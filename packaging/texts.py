@@ -20,6 +20,7 @@ import msgspec
 import runtime_texts
 
 from situ_studio import actions, kinds
+from situ_studio.canvas.gestures import FOLLOWS
 from situ_studio.commands import shortcuts
 from situ_studio.help import help_texts
 from situ_studio.kinds import said
@@ -48,6 +49,9 @@ def gathered() -> Iterator[tuple[str, str]]:
     for table in (said.TESTS, said.GROUPS, said.TYPES, test_box.CHOICES):
         for _, text in table:
             yield "kinds", text
+    for choice in FOLLOWS:
+        yield "kinds", choice.label
+        yield "kinds", choice.words
     for pairs in PAIRS.values():
         yield "kinds", pairs.noun
         for column in pairs.columns:

@@ -536,10 +536,6 @@
         <translation>条件</translation>
     </message>
     <message>
-        <source>Always</source>
-        <translation>すべての状態</translation>
-    </message>
-    <message>
         <source>Number</source>
         <translation>番号</translation>
     </message>
@@ -696,6 +692,26 @@
         <translation>{1} に、{2} へ行く {0} を加える</translation>
     </message>
     <message>
+        <source>existing state</source>
+        <translation>すでにある状態</translation>
+    </message>
+    <message>
+        <source>Hello</source>
+        <translation>こんにちは</translation>
+    </message>
+    <message>
+        <source>Shall I?</source>
+        <translation>よろしいですか</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
         <source>Add state {0}</source>
         <translation>状態 {0} を追加</translation>
     </message>
@@ -842,6 +858,10 @@
     <message>
         <source>Delete {0}</source>
         <translation>{0} を削除</translation>
+    </message>
+    <message>
+        <source>“In every state”</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Rename {0}</source>
@@ -1236,6 +1256,10 @@
         <translation>先にロボットに接続してください</translation>
     </message>
     <message>
+        <source>a project has one script, and one file with module information</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>only in the list of modules</source>
         <translation>モジュールの一覧でだけ使えます</translation>
     </message>
@@ -1284,8 +1308,8 @@
         <translation>操作者だけができます。この鍵では見ることだけができます</translation>
     </message>
     <message>
-        <source>open an application of a project first</source>
-        <translation>先にプロジェクトのアプリケーションを開いてください</translation>
+        <source>open a document of a project first</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>there is no breakpoint</source>
@@ -3064,12 +3088,36 @@
         <translation>その中でアプリケーションは {0} と呼ばれます</translation>
     </message>
     <message>
+        <source>1 place that asks for the situation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} places that ask for the situation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 place that names a module declared in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} places that name a module declared in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the list of applications</source>
         <translation>アプリケーションの一覧</translation>
     </message>
     <message>
         <source>where its texts stand</source>
         <translation>そのテキストの場所</translation>
+    </message>
+    <message>
+        <source>Files of applications and scripts end so: choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the script is called {0} in it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>1 place that names it as a module</source>
@@ -3102,6 +3150,14 @@
     <message>
         <source>{0} states run it, and will have nothing to run</source>
         <translation>それを動かす状態が {0} つあり、動かすものがなくなります</translation>
+    </message>
+    <message>
+        <source>which file is its script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>which file is its module information</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>lines of the scenario</source>
@@ -3194,6 +3250,22 @@
     <message>
         <source>Open a copy of the example {0}</source>
         <translation>例 {0} のコピーを開く</translation>
+    </message>
+    <message>
+        <source>{0} is not in this project.</source>
+        <translation>{0} はこのプロジェクトにありません。</translation>
+    </message>
+    <message>
+        <source>Write another name.</source>
+        <translation>別の名前を書いてください。</translation>
+    </message>
+    <message>
+        <source>There is a file {0} already: choose another name.</source>
+        <translation>{0} というファイルがもうあります。別の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>There is a module {0} already: choose another name.</source>
+        <translation>{0} というモジュールがもうあります。別の名前にしてください。</translation>
     </message>
 </context>
 <context>
@@ -3290,53 +3362,6 @@
     <message>
         <source>What follows? Select the state, drag the plus at its right edge to an empty place and choose. Or drag State from the palette to here.</source>
         <translation>次は？ 状態を選び、右端の＋を空いた場所へドラッグして選んでください。または、パレットから「状態」をここにドラッグしてください。</translation>
-    </message>
-</context>
-<context>
-    <name>ApplicationFiles</name>
-    <message>
-        <source>{0} is not in this project.</source>
-        <translation>{0} はこのプロジェクトにありません。</translation>
-    </message>
-    <message>
-        <source>Write another name.</source>
-        <translation>別の名前を書いてください。</translation>
-    </message>
-    <message>
-        <source>There is a file {0} already: choose another name.</source>
-        <translation>{0} というファイルがもうあります。別の名前にしてください。</translation>
-    </message>
-    <message>
-        <source>There is a module {0} already: choose another name.</source>
-        <translation>{0} というモジュールがもうあります。別の名前にしてください。</translation>
-    </message>
-    <message>
-        <source>Rename application {0}</source>
-        <translation>アプリケーション {0} の名前を変える</translation>
-    </message>
-    <message>
-        <source>It is the only application: a project has at least one.</source>
-        <translation>これはただ一つのアプリケーションです。プロジェクトには少なくとも一つ要ります。</translation>
-    </message>
-    <message>
-        <source>Delete {0}</source>
-        <translation>{0} を削除</translation>
-    </message>
-    <message>
-        <source>{0} has errors: mend them first, or what they name would be lost.</source>
-        <translation>{0} にエラーがあります。そこに挙げたものが失われるので、先に直してください。</translation>
-    </message>
-    <message>
-        <source>Another program changed {0}: decide first which one stays.</source>
-        <translation>ほかのプログラムが {0} を変えました。どちらを残すか先に決めてください。</translation>
-    </message>
-    <message>
-        <source>A document with errors refers to it: mend it first.</source>
-        <translation>エラーのある書類がこれを参照しています。先にそれを直してください。</translation>
-    </message>
-    <message>
-        <source>{0} could not go into the waste basket: it stays in the folder.</source>
-        <translation>{0} をごみ箱に入れられませんでした。フォルダーに残っています。</translation>
     </message>
 </context>
 <context>
@@ -3757,10 +3782,10 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
-    <name>DeleteApplication</name>
+    <name>DeleteDocument</name>
     <message>
-        <source>Delete application</source>
-        <translation>アプリケーションを削除</translation>
+        <source>Delete {0}</source>
+        <translation>{0} を削除</translation>
     </message>
     <message>
         <source>Delete {0}?</source>
@@ -3769,6 +3794,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Undo brings it back. When you save, the file goes into the waste basket.</source>
         <translation>「元に戻す」で戻せます。保存すると、ファイルはごみ箱に入ります。</translation>
+    </message>
+    <message>
+        <source>Still refers to what stands in it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Still refers to it, and will not work any more</source>
@@ -4171,6 +4200,10 @@ Draw what a robot says, shows and does.</source>
         <translation>記録 ({0})</translation>
     </message>
     <message>
+        <source>Save as a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Count recordings</source>
         <translation>記録を数える</translation>
     </message>
@@ -4276,6 +4309,41 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Another program changed {0}; you have changed it too.</source>
         <translation>{0} は別のプログラムでも、ここでも変更されています。</translation>
+    </message>
+</context>
+<context>
+    <name>DocumentFiles</name>
+    <message>
+        <source>Rename {0} {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is the only application: a project has at least one.</source>
+        <translation>これはただ一つのアプリケーションです。プロジェクトには少なくとも一つ要ります。</translation>
+    </message>
+    <message>
+        <source>A project with several applications needs its script: it says which one goes first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete {0} {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has errors: mend them first, or what they name would be lost.</source>
+        <translation>{0} にエラーがあります。そこに挙げたものが失われるので、先に直してください。</translation>
+    </message>
+    <message>
+        <source>Another program changed {0}: decide first which one stays.</source>
+        <translation>ほかのプログラムが {0} を変えました。どちらを残すか先に決めてください。</translation>
+    </message>
+    <message>
+        <source>A document with errors refers to it: mend it first.</source>
+        <translation>エラーのある書類がこれを参照しています。先にそれを直してください。</translation>
+    </message>
+    <message>
+        <source>{0} could not go into the waste basket: it stays in the folder.</source>
+        <translation>{0} をごみ箱に入れられませんでした。フォルダーに残っています。</translation>
     </message>
 </context>
 <context>
@@ -6131,22 +6199,14 @@ Draw what a robot says, shows and does.</source>
     </message>
 </context>
 <context>
-    <name>RenameApplication</name>
+    <name>RenameDocument</name>
     <message>
-        <source>Rename application</source>
-        <translation>アプリケーションの名前を変える</translation>
+        <source>Rename {0}</source>
+        <translation>{0} の名前を変更</translation>
     </message>
     <message>
         <source>Name of the file</source>
         <translation>ファイルの名前</translation>
-    </message>
-    <message>
-        <source>The application is called so too, not {0}</source>
-        <translation>アプリケーションも {0} ではなくこの名前にする</translation>
-    </message>
-    <message>
-        <source>The application itself is called so too</source>
-        <translation>アプリケーション自体もこの名前にする</translation>
     </message>
     <message>
         <source>What changes</source>
@@ -6159,6 +6219,22 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Rename</source>
         <translation>名前の変更</translation>
+    </message>
+    <message>
+        <source>The script itself is called so too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The script is called so too, not {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The application itself is called so too</source>
+        <translation>アプリケーション自体もこの名前にする</translation>
+    </message>
+    <message>
+        <source>The application is called so too, not {0}</source>
+        <translation>アプリケーションも {0} ではなくこの名前にする</translation>
     </message>
 </context>
 <context>
@@ -6294,6 +6370,21 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>{0} entries</source>
         <translation>{0} 件</translation>
+    </message>
+</context>
+<context>
+    <name>SavingRecording</name>
+    <message>
+        <source>Writing {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot has begun anew: nothing was saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is saved: {1} events.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7127,10 +7218,6 @@ Draw what a robot says, shows and does.</source>
 <context>
     <name>TextsModel</name>
     <message>
-        <source>Always</source>
-        <translation>いつも</translation>
-    </message>
-    <message>
         <source>Phrase for {0}</source>
         <translation>{0} の言葉</translation>
     </message>
@@ -7153,6 +7240,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>{0}, {1} of {2}</source>
         <translation>{0}、{2} 件中 {1} 件</translation>
+    </message>
+    <message>
+        <source>In every state</source>
+        <translation>すべての状態で</translation>
     </message>
     <message>
         <source>The state in which the text stands.</source>
@@ -7639,8 +7730,8 @@ Draw what a robot says, shows and does.</source>
         <translation>ロボットに接続</translation>
     </message>
     <message>
-        <source>By its address</source>
-        <translation>アドレスを指定</translation>
+        <source>Found nearby, or by its address</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Recent</source>
@@ -8044,6 +8135,10 @@ A right click or the down key gives other values.</source>
         <translation>タグの数に数を足します。なければ 0 とみなします。</translation>
     </message>
     <message>
+        <source>Another name for the file of an application, script or module information, and for all in the project that refers to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Append</source>
         <translation>末尾に加える</translation>
     </message>
@@ -8106,6 +8201,14 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Delete</source>
         <translation>削除</translation>
+    </message>
+    <message>
+        <source>Delete file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the file of the row</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Deletes the tags that fit a pattern: user.** is everything below user.</source>
@@ -8244,10 +8347,6 @@ A right click or the down key gives other values.</source>
         <translation>これと同じところから始める、もう一つのアプリケーション。</translation>
     </message>
     <message>
-        <source>Another name for its file, and for all in the project that refers to it.</source>
-        <translation>ファイルの名前と、プロジェクトの中でそれを参照しているものすべてを変えます。</translation>
-    </message>
-    <message>
         <source>Another run stands below this one in the timeline, and where they part is marked.</source>
         <translation>タイムラインで別の実行を下に並べ、分かれるところに印を付けます。</translation>
     </message>
@@ -8330,14 +8429,6 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Del</source>
         <translation>Del</translation>
-    </message>
-    <message>
-        <source>Delete application…</source>
-        <translation>アプリケーションを削除…</translation>
-    </message>
-    <message>
-        <source>Delete the application of the row</source>
-        <translation>行のアプリケーションを削除</translation>
     </message>
     <message>
         <source>Delete the selected components</source>
@@ -8832,16 +8923,16 @@ A right click or the down key gives other values.</source>
         <translation>名前の変更</translation>
     </message>
     <message>
-        <source>Rename application…</source>
-        <translation>アプリケーションの名前を変える…</translation>
-    </message>
-    <message>
         <source>Rename everywhere…</source>
         <translation>すべての箇所で名前を変更…</translation>
     </message>
     <message>
-        <source>Rename the application of the row</source>
-        <translation>行のアプリケーションの名前を変える</translation>
+        <source>Rename file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename the file of the row</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Rename the selected card; Tab goes on to the next one</source>
@@ -8878,6 +8969,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Save a copy…</source>
         <translation>コピーを保存…</translation>
+    </message>
+    <message>
+        <source>Save as a recording…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Save the rehearsal as a scenario…</source>
@@ -9282,6 +9377,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>What is part of every state: a Home button, a timeout, what people may say at any time.</source>
         <translation>すべての状態に共通のもの：ホームボタン、時間切れ、いつでも言える言葉。</translation>
+    </message>
+    <message>
+        <source>What is seen of the robot is written into a file: to be looked at, compared and counted later.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What is this?</source>
@@ -10137,6 +10236,14 @@ A right click or the down key gives other values.</source>
 <context>
     <name>kinds</name>
     <message>
+        <source>#again once more</source>
+        <translation>#again もう一度 繰り返す</translation>
+    </message>
+    <message>
+        <source>#back return</source>
+        <translation>#back 戻る</translation>
+    </message>
+    <message>
         <source>%</source>
         <translation>%</translation>
     </message>
@@ -10235,6 +10342,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>At which side of its place the text stands.</source>
         <translation>場所の中で文字をどちらに寄せるか。</translation>
+    </message>
+    <message>
+        <source>Back to the state before</source>
+        <translation>前の状態に戻る</translation>
     </message>
     <message>
         <source>Background</source>
@@ -10541,6 +10652,30 @@ A right click or the down key gives other values.</source>
         <translation>必要なもの</translation>
     </message>
     <message>
+        <source>New end state</source>
+        <translation>新しい終わりの状態</translation>
+    </message>
+    <message>
+        <source>New question with Yes and No</source>
+        <translation>はい・いいえでたずねる新しい状態</translation>
+    </message>
+    <message>
+        <source>New state</source>
+        <translation>新しい状態</translation>
+    </message>
+    <message>
+        <source>New state that calls a service</source>
+        <translation>サービスを呼ぶ新しい状態</translation>
+    </message>
+    <message>
+        <source>New state that moves the robot</source>
+        <translation>ロボットを動かす新しい状態</translation>
+    </message>
+    <message>
+        <source>New state that says something</source>
+        <translation>話す新しい状態</translation>
+    </message>
+    <message>
         <source>Note</source>
         <translation>メモ</translation>
     </message>
@@ -10809,6 +10944,10 @@ A right click or the down key gives other values.</source>
         <translation>状態と、次へ進むきっかけ。</translation>
     </message>
     <message>
+        <source>Stay here</source>
+        <translation>ここにとどまる</translation>
+    </message>
+    <message>
         <source>Stays</source>
         <translation>最低継続</translation>
     </message>
@@ -10975,6 +11114,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>The values that it writes.</source>
         <translation>書き込む値。</translation>
+    </message>
+    <message>
+        <source>This state again</source>
+        <translation>この状態をもう一度</translation>
     </message>
     <message>
         <source>Timeout</source>
@@ -11237,6 +11380,10 @@ A right click or the down key gives other values.</source>
         <translation>設定のまま</translation>
     </message>
     <message>
+        <source>ask buttons screen</source>
+        <translation>質問 ボタン 画面</translation>
+    </message>
+    <message>
         <source>at 10 inches</source>
         <translation>10 インチで</translation>
     </message>
@@ -11273,8 +11420,20 @@ A right click or the down key gives other values.</source>
         <translation>データ</translation>
     </message>
     <message>
+        <source>drive head go</source>
+        <translation>移動 頭 行く</translation>
+    </message>
+    <message>
+        <source>empty card</source>
+        <translation>空のカード</translation>
+    </message>
+    <message>
         <source>exists</source>
         <translation>ある</translation>
+    </message>
+    <message>
+        <source>finish stop final</source>
+        <translation>終わり 停止</translation>
     </message>
     <message>
         <source>http://…, board:module/request, or media:file.json</source>
@@ -11325,6 +11484,10 @@ A right click or the down key gives other values.</source>
         <translation>なし</translation>
     </message>
     <message>
+        <source>nothing internal disconnect</source>
+        <translation>何もしない 内部 切り離す</translation>
+    </message>
+    <message>
         <source>number</source>
         <translation>数</translation>
     </message>
@@ -11369,6 +11532,10 @@ A right click or the down key gives other values.</source>
         <translation>秒以内</translation>
     </message>
     <message>
+        <source>speech talk voice</source>
+        <translation>発話 話す 声</translation>
+    </message>
+    <message>
         <source>text</source>
         <translation>文字列</translation>
     </message>
@@ -11387,6 +11554,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>value</source>
         <translation>値</translation>
+    </message>
+    <message>
+        <source>web request</source>
+        <translation>ウェブ 問い合わせ</translation>
     </message>
     <message>
         <source>yes or no</source>
@@ -13048,8 +13219,16 @@ A right click or the down key gives other values.</source>
         <translation>設定は表 [[setting]] でなければなりません</translation>
     </message>
     <message>
+        <source>setting {0}</source>
+        <translation>設定 {0}</translation>
+    </message>
+    <message>
         <source>setting {0} {1}</source>
         <translation>設定 {0} {1}</translation>
+    </message>
+    <message>
+        <source>setting {0}: choice</source>
+        <translation>設定 {0}：選択肢</translation>
     </message>
     <message>
         <source>setting {0}: choices {1} → {2}</source>
@@ -13246,6 +13425,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>this project</source>
         <translation>このプロジェクト</translation>
+    </message>
+    <message>
+        <source>this template has no texts in {0}; it has them in: {1}</source>
+        <translation>このひな形には {0} の文がありません。あるのは {1} です</translation>
     </message>
     <message>
         <source>time goes back: {0} after {1}; order the lines by time</source>

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -12,6 +13,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from tests.gui.conftest import Studio
 
+from situ_studio.canvas import gestures
+from situ_studio.canvas.picture import NEW
 from situ_studio.wording.language import Speaking, language_of
 
 
@@ -53,6 +56,7 @@ def test_the_window_speaks_the_language_that_was_chosen(
     japanese = choose(english, "日本語")
     assert japanese.window.headers["outline"].title.text() == "アウトライン"
     assert japanese.window.menuBar().actions()[0].text().startswith("ファイル")
+    assert re.fullmatch("状態 16 個、遷移 [0-9]+ 個", japanese.window.status.counts.text())
     assert choose(japanese, "English").window.headers["outline"].title.text() == "Outline"
 
 
@@ -67,6 +71,25 @@ def test_a_project_is_begun_in_the_language_that_is_spoken(
     assert project.languages == ("ja",)
     (state,) = project.applications["my-robot.rbd.xml"].states
     assert state.name == "はじめ"
+
+
+def test_what_follows_is_asked_found_and_named_in_the_language_that_is_spoken(
+    studio: Callable[..., Studio], project: Callable[[str], Path]
+) -> None:
+    japanese = choose(studio(project("reception")), "日本語")
+    application = japanese.session.project.applications["reception.rbd.xml"]
+    offered = gestures.choices(application, ("state", "1"), NEW)[: len(gestures.FOLLOWS)]
+    assert [f.key for f in offered] == [f.key for f in gestures.FOLLOWS]
+    for follow in offered:
+        assert re.search("[ぁ-んァ-ヶ一-龯]", follow.label), follow
+        assert re.search("[ぁ-んァ-ヶ一-龯]", follow.words), follow
+    after, _, no = gestures.follow(application, ("state", "1"), NEW, "question", 0, 0)
+    assert no is not None
+    made = after.state(no)
+    assert made is not None
+    assert made.name == f"状態 {no}"
+    assert made.screen is not None
+    assert [one.text for one in made.screen.components] == ["よろしいですか", "はい", "いいえ"]  # type: ignore[attr-defined]
 
 
 def test_nothing_that_is_open_is_lost_with_the_language(

@@ -21,7 +21,7 @@ from situ_studio.canvas.picture import ALWAYS, NEW, TIMEOUT, exit_of
 from situ_studio.canvas.projection import targets
 from situ_studio.edits import changes, places, words
 from situ_studio.edits.edit import Place
-from situ_studio.wording.language import tr
+from situ_studio.wording.language import tr, translated
 
 GRID = 8.0
 """Cards snap to this."""
@@ -169,20 +169,24 @@ def choices(application: Application, owner: Place, exit: str) -> tuple[Follow, 
     stays = leaving is None or leaving.next is not None
     always = owner == (ALWAYS,)
     known = (
-        Follow(s.no, words.state_called(s.no, s.name), "state", "existing state")
+        Follow(s.no, words.state_called(s.no, s.name), "state", tr("existing state"))
         for s in application.states
     )
     return (
-        *(f for f in FOLLOWS if (f.key or stays) and not (always and f.key == rbd.AGAIN)),
+        *(
+            replace(f, label=translated(f.label), words=f"{f.words} {translated(f.words)}")
+            for f in FOLLOWS
+            if (f.key or stays) and not (always and f.key == rbd.AGAIN)
+        ),
         *known,
     )
 
 
 def _new(kind: str, no: str) -> State:
-    name = f"state {no}"
+    name = tr("state {0}").format(no)
     match kind:
         case "speech":
-            return State(no=no, name=name, actions=(rbd.Speech(text="Hello"),))
+            return State(no=no, name=name, actions=(rbd.Speech(text=tr("Hello")),))
         case "service":
             service = rbd.Service(name="service", url="http://", done="returned", failed="offline")
             events = (Event(name="returned"), Event(name="offline"))
@@ -196,14 +200,15 @@ def _new(kind: str, no: str) -> State:
                 events=(Event(name="arrived"), Event(name="blocked")),
             )
         case "question":
+            asked = tr("Shall I?")
             screen = rbd.Screen(
                 components=(
-                    rbd.Text(id="question", x=10, y=12, width=80, height=30, text="Shall I?"),
+                    rbd.Text(id="question", x=10, y=12, width=80, height=30, text=asked),
                     rbd.Button(
-                        id="yes", x=10, y=60, width=35, height=24, event="clickYes", text="Yes"
+                        id="yes", x=10, y=60, width=35, height=24, event="clickYes", text=tr("Yes")
                     ),
                     rbd.Button(
-                        id="no", x=55, y=60, width=35, height=24, event="clickNo", text="No"
+                        id="no", x=55, y=60, width=35, height=24, event="clickNo", text=tr("No")
                     ),
                 )
             )
@@ -211,11 +216,11 @@ def _new(kind: str, no: str) -> State:
                 no=no,
                 name=name,
                 screen=screen,
-                actions=(rbd.Speech(text="Shall I?"),),
+                actions=(rbd.Speech(text=asked),),
                 events=(Event(name="clickYes"), Event(name="clickNo")),
             )
         case "end":
-            return State(no=no, name="end", final=True)
+            return State(no=no, name=tr("end"), final=True)
         case _:
             return State(no=no, name=name)
 

@@ -199,7 +199,7 @@ def _card(
         place=place,
         kind=kind,
         no=value.no,
-        name=value.name or f"state {value.no}",
+        name=value.name or tr("state {0}").format(value.no),
         x=x,
         y=y,
         line=line,

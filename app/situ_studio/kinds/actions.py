@@ -96,7 +96,7 @@ SPEECH = Kind(
         _OPTIONAL,
     ),
     sections=(_ENDING, MORE),
-    make=lambda _: rbd.Speech(text="Hello"),
+    make=lambda _: rbd.Speech(text=tr("Hello")),
     summary=lambda v: str(v.text),
     palette="action",
 )

@@ -6,6 +6,7 @@ from typing import Any
 
 from situ.document import rbd
 from situ_studio.kinds.kind import Field, Kind, Section
+from situ_studio.wording.language import tr
 
 _ID = Field(
     attribute="id",
@@ -140,7 +141,7 @@ TEXT = Kind(
     help="Words on the screen.",
     fields=(_SHOWN, _ID),
     sections=(_PLACE, _ALIGN, _FIT, _LOOKS),
-    make=lambda name: rbd.Text(id=name, text="Text", size=8, **_box(10, 10, 80, 20)),
+    make=lambda name: rbd.Text(id=name, text=tr("Text"), size=8, **_box(10, 10, 80, 20)),
     summary=lambda v: str(v.text),
     palette="screen",
 )
