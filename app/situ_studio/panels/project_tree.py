@@ -166,13 +166,12 @@ class ProjectTree(QWidget):
                 self.tr("Pictures, movies and sounds, and where each is used")
             )
             self.show_media(project)
-        if project.scenarios is not None and (Path(project.root) / project.scenarios).is_dir():
-            self._add_folder(top, self.tr("scenarios"), SCENARIOS, "scenarios")
-            found = (Path(project.root) / project.scenarios).rglob("*")
-            self._files[SCENARIOS].setData(str(sum(1 for one in found if one.is_file())), COUNT)
-            self._files[SCENARIOS].setToolTip(project.scenarios)
+        self.show_scenarios(project)
         # Not all: a row without others would be read as an open one.
         self.tree.expand(top.index())
+        self._settle_height()
+
+    def _settle_height(self) -> None:
         self.setMinimumHeight(self.height_least())
         self.setMaximumHeight(self.height_wanted())
 
@@ -188,6 +187,18 @@ class ProjectTree(QWidget):
         if item is not None:
             count = len(names_of(project))
             item.setData(str(count) if count else "", COUNT)
+
+    def show_scenarios(self, project: Project) -> None:
+        """Brings up to date how many there are; the first one brings their row."""
+        top = self._model.item(0)
+        if project.scenarios is None or not (Path(project.root) / project.scenarios).is_dir():
+            return
+        if SCENARIOS not in self._files:
+            self._add_folder(top, self.tr("scenarios"), SCENARIOS, "scenarios")
+            self._files[SCENARIOS].setToolTip(project.scenarios)
+            self._settle_height()
+        found = (Path(project.root) / project.scenarios).rglob("*")
+        self._files[SCENARIOS].setData(str(sum(1 for one in found if one.is_file())), COUNT)
 
     def show_document(
         self, file: str, document: Document, part: bool, dirty: bool, marks: tuple[str, ...]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt
@@ -203,8 +204,14 @@ class RehearsingSide(QObject):
             return
         running.set_pace(0)
         saving = SavingScenario(running.course, home, window.theme, window)
-        saving.saved.connect(lambda file: window.say(self.tr("Saved {0}").format(file.name)))
+        saving.saved.connect(self._on_saved)
         saving.open()
+
+    def _on_saved(self, file: Path) -> None:
+        window, project = self._window, self._window.session.project
+        window.say(self.tr("Saved {0}").format(file.name))
+        if project is not None:
+            window.project_tree.show_scenarios(project)
 
     def set_theme(self, theme: Theme) -> None:
         self.desk.set_theme(theme)

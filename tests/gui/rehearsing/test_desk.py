@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from situ.decide.step import SECOND
 from situ.rehearse.scenario import load
 from situ.rehearse.suite import play
 from situ_studio.looks.theme import LIGHT
+from situ_studio.panels.lists import COUNT
 from situ_studio.rehearsing.robot_screen import RobotScreen
 from situ_studio.rehearsing.saving import SavingScenario
 from situ_studio.screens.shown import Content
@@ -272,6 +274,24 @@ def test_what_was_done_is_saved_as_a_scenario_with_what_shall_happen_again(desk:
     kinds = [type(line.does).__name__ for line in load(file)]
     assert "Use" in kinds
     assert kinds[-1] == "End"
+    # The project's tree knows of it, and comes to know of the first one.
+    rows = used.window.project_tree.tree.model()
+    assert in_tree(rows) == str(len(list(file.parent.iterdir())))
+    shutil.rmtree(file.parent)
+    used.window.project_tree.show_project(project, used.studio.session.files)
+    assert in_tree(rows) is None
+    used.studio.click(used.desk.clock.save)
+    (saving,) = [one for one in used.window.findChildren(SavingScenario) if one.isVisible()]
+    QTest.keyClicks(saving.name, "anew")
+    used.studio.click(saving.keep)
+    assert in_tree(rows) == "1"
+
+
+def in_tree(rows: Any) -> str | None:
+    """The number at the scenarios' row."""
+    top = rows.index(0, 0)
+    last = rows.index(rows.rowCount(top) - 1, 0, top)
+    return str(last.data(COUNT)) if last.data() == "scenarios" else None
 
 
 def test_a_project_with_errors_is_not_rehearsed(
