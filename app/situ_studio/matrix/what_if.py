@@ -99,6 +99,10 @@ class WhatIf(QWidget):
         self.data = Rows(LINES)
         self.data.setAccessibleName(self.tr("Supposed values"))
         line.addWidget(self.data, 1, Qt.AlignmentFlag.AlignTop)
+        self.nothing = QLabel(self.tr("no situation looks at data yet"))
+        self.nothing.setProperty("role", "hint")
+        self.nothing.setFixedHeight(px(26))
+        line.addWidget(self.nothing, 1, Qt.AlignmentFlag.AlignTop)
         return line
 
     def _result(self) -> QHBoxLayout:
@@ -190,6 +194,8 @@ class WhatIf(QWidget):
         if list(self._chips) != list(self._presets):
             self._chips = {name: self._datum(name) for name in self._presets}
             self.data.show_widgets(list(self._chips.values()))
+        self.data.setVisible(bool(self._chips))
+        self.nothing.setVisible(not self._chips)
         if list(self._modules) != list(self._asking):
             self._modules = {name: self._asker(name) for name in self._asking}
             self.who.show_widgets(list(self._modules.values()))
@@ -319,7 +325,8 @@ class WhatIf(QWidget):
         """The answer stands behind the suppositions where there is room, else below them."""
         words = self.fontMetrics().horizontalAdvance(_plain(self.holders.text()))
         result = self.situation.sizeHint().width() + words + 90
-        asked = self.data.row.wide + self.asks.sizeHint().width() + 140
+        values = self.data.row.wide if self._chips else self.nothing.sizeHint().width()
+        asked = values + self.asks.sizeHint().width() + 140
         beside = asked + result <= self.width()
         ways = QBoxLayout.Direction
         self._lines.setDirection(ways.LeftToRight if beside else ways.TopToBottom)

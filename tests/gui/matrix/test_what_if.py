@@ -242,6 +242,19 @@ def test_in_the_least_height_values_and_answer_have_a_line_each_and_cover_nothin
     assert answer(used)[1] == strip.holders_short.text()
 
 
+def test_where_no_situation_looks_at_data_it_says_so_instead_of_an_empty_place(
+    desk: Make,
+) -> None:
+    used = desk(TIED)
+    strip = used.view.what_if
+    assert not strip.nothing.isVisible()
+    used.open(read('<spds name="s"><situation name="all"/></spds>'))
+    used.settle()
+    assert strip.nothing.isVisible()
+    gap = strip.situation.mapTo(strip, QPoint()).x() - strip.nothing.geometry().right()
+    assert gap < 64
+
+
 def test_what_is_supposed_of_data_that_nobody_looks_at_any_more_is_forgotten(desk: Make) -> None:
     used = desk(TIED)
     press(used, "asked")
