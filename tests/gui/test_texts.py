@@ -327,6 +327,11 @@ def test_no_text_is_cut(
                 window.select(place)
                 made.settle()
                 found.update(cut(window, ours))
+        if name == "reception":
+            window.show_mode("screen")
+            window.select(("state", "5"))
+            made.settle()
+            found.update(cut(window, ours))
         window.welcoming.show()
         made.settle()
         found.update(cut(window, ours))

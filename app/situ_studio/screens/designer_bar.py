@@ -98,11 +98,11 @@ class DesignerBar(QFrame):
 
     def _fit(self) -> None:
         """In a narrow bar the value is in the list only, and the preview's button is its sign."""
-        roomy = self.width() >= ROOMY
+        roomy = self.width() >= px(ROOMY)
         words = self._sample if roomy else ""
         self.preview.setText(self.tr("Preview") if roomy else "")
         metrics = self.samples.fontMetrics()
-        short = metrics.elidedText(words, Qt.TextElideMode.ElideRight, 150)
+        short = metrics.elidedText(words, Qt.TextElideMode.ElideRight, px(150))
         self.samples.setText(self.tr("Sample  {0}").format(short) if words else self.tr("Sample"))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
