@@ -32,6 +32,7 @@ from situ.resources import example
 from situ_studio import main
 from situ_studio.export.export_dialog import Export
 from situ_studio.live.connecting_dialog import Chosen
+from situ_studio.window import status
 from situ_studio.window.main_window import MainWindow
 from situ_studio.wording.language import Speaking
 
@@ -304,7 +305,10 @@ def studio(qt: QApplication, settings: QSettings) -> Iterator[Callable[..., Stud
         made.settle()
         return made
 
-    yield start
+    with pytest.MonkeyPatch.context() as patience:
+        # What is said in passing is still there when a slow machine comes to look at it.
+        patience.setattr(status, "SAID_FOR", 60 * PATIENCE)
+        yield start
     # A window may have been made anew, or have opened another.
     for window in [w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow)]:
         window.may_leave = lambda: True  # type: ignore[method-assign]
