@@ -117,6 +117,38 @@ def test_nothing_that_is_open_is_lost_with_the_language(
     assert not session.dirty
 
 
+def test_panels_that_stood_aside_when_the_language_was_chosen_come_back(
+    studio: Callable[..., Studio], project: Callable[[str], Path]
+) -> None:
+    one = studio(project("reception"))
+    one.window.open_file("reception.rbd.xml")
+    one.settle()
+
+    def seen(used: Studio) -> tuple[set[str], bool]:
+        docks = used.window.docks
+        return {name for name in docks if docks[name].isVisible()}, used.window.bottom.is_folded
+
+    before = seen(one)
+    assert {"project", "outline", "palette"} <= before[0]
+    # The designer's panel stood there.
+    one.window.show_mode("screen")
+    one.settle()
+    assert "project" not in seen(one)[0]
+    other = choose(one, "日本語")
+    assert "designer" in seen(other)[0]
+    other.window.show_mode("graph")
+    other.settle()
+    assert seen(other) == before
+    # What is known of a rehearsal stood there.
+    other.window.rehearsing.rehearse()
+    other.settle()
+    assert "project" not in seen(other)[0]
+    again = choose(other, "English")
+    again.window.rehearsing.end()
+    again.settle()
+    assert seen(again) == before
+
+
 def test_the_canvas_looks_where_it_looked(
     studio: Callable[..., Studio], project: Callable[[str], Path]
 ) -> None:

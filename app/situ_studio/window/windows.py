@@ -290,6 +290,9 @@ class Windows(QObject):
 
     def _renew(self, old: MainWindow) -> None:
         old.finish_fields()
+        # As where a window closes: what made room for a while is kept in its place.
+        old.designing.leave()
+        old.moment.leave()
         old.keep()
         shown, visible = showing(old), old.isVisible()
         old.recovery.forget()
