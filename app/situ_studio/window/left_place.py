@@ -32,11 +32,6 @@ class LeftPlace:
         self._wanted.discard(name)
         self._settle(elsewhere=name)
 
-    def leave(self) -> None:
-        """Nobody stands there."""
-        self._wanted.clear()
-        self._settle()
-
     def _settle(self, elsewhere: str = "") -> None:
         first = next((name for name in self._order if name in self._wanted), None)
         for name in self._order:
