@@ -8,7 +8,6 @@ from __future__ import annotations
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPen
 
-from situ.document import words
 from situ_studio.canvas.live import LiveScript, LiveView
 from situ_studio.canvas.style import Look, whole_label
 from situ_studio.wording.language import tr
@@ -25,6 +24,8 @@ def told(live: LiveView, no: str) -> str:
     lines = []
     if no in live.active:
         lines.append(tr("The robot is here, since {0}.").format(_lasts(live, no)))
+    if no in live.suspended:
+        lines.append(tr("It is suspended: it does not hold what this state uses."))
     if no in live.counts:
         lines.append(tr("It came here {0}×.").format(live.counts[no]))
     if no in live.times:
@@ -37,7 +38,7 @@ def told(live: LiveView, no: str) -> str:
 
 
 def _lasts(live: LiveView, no: str) -> str:
-    return words.seconds(round(live.entered.get(no, 0.0), 1))
+    return lasting(round(live.entered.get(no, 0.0), 1))
 
 
 def _pieces(look: Look, live: LiveView, no: str) -> list[tuple[str, str, str]]:

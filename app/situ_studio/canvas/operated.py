@@ -1,4 +1,4 @@
-"""What an operator has done to a card: a breakpoint on it, and that the robot is paused there."""
+"""What stands on a card: a breakpoint, and that the robot is paused or suspended there."""
 
 from __future__ import annotations
 
@@ -25,11 +25,13 @@ def paint(painter: QPainter, look: Look, live: LiveView, no: str) -> None:
     """no: the card's state."""
     if no in live.breakpoints:
         breakpoint_sign(painter, look, 56)
-    if no in live.paused:
-        words = whole_label(tr("paused"), 11, 600)
-        area = QRectF(12, -12, words.width + 26, 18)
+    if no in live.paused or no in live.suspended:
+        # A suspended one has the sign alone: with its word it would lie over what is counted.
+        words = whole_label(tr("paused"), 11, 600) if no in live.paused else None
+        area = QRectF(12, -12, 22 if words is None else words.width + 26, 18)
         painter.setPen(QPen(look["warning"], 1.5))
         painter.setBrush(look["card"])
         painter.drawRoundedRect(area, 9, 9)
         look.icon(painter, "pause", 17, -9, 12, look["warning"])
-        words.draw(painter, 31, 1, look["text"])
+        if words is not None:
+            words.draw(painter, 31, 1, look["text"])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
@@ -9,12 +10,14 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QAccessible
+from PySide6.QtGui import QAccessible, QImage
 from PySide6.QtTest import QSignalSpy, QTest
 from tests.gui.live.test_log import played
 from tests.gui.live.test_recordings import opened
 
 from situ.document.project import Project
+from situ_studio.canvas import counted
+from situ_studio.canvas.live import LiveView
 from situ_studio.live import follower
 from situ_studio.live.log import TraceLog
 from situ_studio.live.views import live_part, live_view, runs_of
@@ -200,6 +203,44 @@ def test_what_came_before_a_hand_moved_the_cursor_is_drawn_with_it_and_not_once_
     it.settle()
     assert drawn.count() == 2
     it.window.commands.close_recording()
+
+
+def test_how_long_the_robot_is_in_a_state_is_told_as_how_long_it_was_in_others() -> None:
+    view = LiveView(active=frozenset({"1"}), entered={"1": 2706.14}, times={"2": 2706.14})
+    assert counted.told(view, "1") == "The robot is here, since 45.1 min."
+    assert counted.told(view, "2") == "It was here for 45.1 min in all."
+
+
+def test_a_card_says_that_its_application_is_suspended(
+    studio: Callable[..., Any], project: Callable[[str], Path], tmp_path: Path
+) -> None:
+    file = tmp_path / "run.mcap"
+    it, events = opened(studio, project("conversation"), file, "conversation", "stopped.jsonl")
+    window = it.window
+    viewing, view = window.robot.follower.viewing, window.current_view
+    begins = next(e for e in events if e["kind"] == "suspend")["t"]
+
+    def painted() -> int:
+        """Pixels of the colour that calls for attention."""
+        it.settle()
+        image = view.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
+        pixel = window.theme.color("warning").rgb().to_bytes(4, sys.byteorder)
+        return bytes(image.constBits()).count(pixel)
+
+    def hint() -> str:
+        (no,) = view.canvas.look.live.active
+        uid, _ = view.canvas._find(("state", no))
+        return str(view.canvas.graph.nodes[uid].view.toolTip())
+
+    viewing.seek(begins - 0.01)
+    calm = painted()
+    assert "suspended" not in hint()
+    viewing.seek(begins)
+    assert painted() > calm
+    assert "It is suspended: it does not hold what this state uses." in hint()
+    viewing.seek(next(e for e in events if e["kind"] == "resume")["t"])
+    assert painted() == calm
+    assert "suspended" not in hint()
 
 
 def test_of_two_drawings_of_one_application_both_move_along(
