@@ -41,7 +41,7 @@ def gathered() -> Iterator[tuple[str, str]]:
     """(context, text) of everything that lupdate does not find by itself."""
     for template in runtime_texts.templates():
         yield "runtime", template
-    for glue in GLUE:
+    for glue in (*GLUE, " or "):
         yield "runtime", glue
     for kind in kinds.KINDS:
         for text in _shown(kind):

@@ -861,7 +861,7 @@
     </message>
     <message>
         <source>“In every state”</source>
-        <translation type="unfinished"></translation>
+        <translation>「どの状態でも」</translation>
     </message>
     <message>
         <source>Rename {0}</source>
@@ -1257,7 +1257,7 @@
     </message>
     <message>
         <source>a project has one script, and one file with module information</source>
-        <translation type="unfinished"></translation>
+        <translation>スクリプトとモジュール情報のファイルは、プロジェクトに一つずつです</translation>
     </message>
     <message>
         <source>only in the list of modules</source>
@@ -1309,7 +1309,7 @@
     </message>
     <message>
         <source>open a document of a project first</source>
-        <translation type="unfinished"></translation>
+        <translation>先にプロジェクトの文書を開いてください</translation>
     </message>
     <message>
         <source>there is no breakpoint</source>
@@ -2528,6 +2528,10 @@
         <translation>ここでは文字を空にできません。置いてある場所で削除してください。</translation>
     </message>
     <message>
+        <source>{0} has errors: mend it first.</source>
+        <translation>{0} に誤りがあります。先に直してください。</translation>
+    </message>
+    <message>
         <source>live</source>
         <translation>接続中</translation>
     </message>
@@ -2566,6 +2570,10 @@
     <message>
         <source>The robot is here, since {0}.</source>
         <translation>ロボットは今ここにいます（{0} から）。</translation>
+    </message>
+    <message>
+        <source>It is suspended: it does not hold what this state uses.</source>
+        <translation>中断しています。この状態が使うものを持っていません。</translation>
     </message>
     <message>
         <source>It came here {0}×.</source>
@@ -3089,19 +3097,19 @@
     </message>
     <message>
         <source>1 place that asks for the situation</source>
-        <translation type="unfinished"></translation>
+        <translation>状況を調べている所 1 か所</translation>
     </message>
     <message>
         <source>{0} places that ask for the situation</source>
-        <translation type="unfinished"></translation>
+        <translation>状況を調べている所 {0} か所</translation>
     </message>
     <message>
         <source>1 place that names a module declared in it</source>
-        <translation type="unfinished"></translation>
+        <translation>ここで宣言されたモジュールを挙げている所 1 か所</translation>
     </message>
     <message>
         <source>{0} places that name a module declared in it</source>
-        <translation type="unfinished"></translation>
+        <translation>ここで宣言されたモジュールを挙げている所 {0} か所</translation>
     </message>
     <message>
         <source>the list of applications</source>
@@ -3113,11 +3121,11 @@
     </message>
     <message>
         <source>Files of applications and scripts end so: choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>その終わり方はアプリケーションとスクリプトのファイルのものです。別の名前にしてください。</translation>
     </message>
     <message>
         <source>the script is called {0} in it</source>
-        <translation type="unfinished"></translation>
+        <translation>その中でスクリプトは {0} と呼ばれます</translation>
     </message>
     <message>
         <source>1 place that names it as a module</source>
@@ -3153,11 +3161,11 @@
     </message>
     <message>
         <source>which file is its script</source>
-        <translation type="unfinished"></translation>
+        <translation>どのファイルがスクリプトか</translation>
     </message>
     <message>
         <source>which file is its module information</source>
-        <translation type="unfinished"></translation>
+        <translation>どのファイルがモジュール情報か</translation>
     </message>
     <message>
         <source>lines of the scenario</source>
@@ -3266,6 +3274,18 @@
     <message>
         <source>There is a module {0} already: choose another name.</source>
         <translation>{0} というモジュールがもうあります。別の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>Label of {0}</source>
+        <translation>{0} の表示名</translation>
+    </message>
+    <message>
+        <source>Choice of {0}</source>
+        <translation>{0} の選択肢</translation>
+    </message>
+    <message>
+        <source>Choices differ from each other, and have no comma in them.</source>
+        <translation>選択肢は互いに異なり、コンマを含みません。</translation>
     </message>
 </context>
 <context>
@@ -3797,7 +3817,7 @@ Draw what a robot says, shows and does.</source>
     </message>
     <message>
         <source>Still refers to what stands in it</source>
-        <translation type="unfinished"></translation>
+        <translation>その中身をまだ参照しているもの</translation>
     </message>
     <message>
         <source>Still refers to it, and will not work any more</source>
@@ -4201,7 +4221,7 @@ Draw what a robot says, shows and does.</source>
     </message>
     <message>
         <source>Save as a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>記録として保存</translation>
     </message>
     <message>
         <source>Count recordings</source>
@@ -4315,7 +4335,7 @@ Draw what a robot says, shows and does.</source>
     <name>DocumentFiles</name>
     <message>
         <source>Rename {0} {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1} の名前を変更</translation>
     </message>
     <message>
         <source>It is the only application: a project has at least one.</source>
@@ -4323,11 +4343,11 @@ Draw what a robot says, shows and does.</source>
     </message>
     <message>
         <source>A project with several applications needs its script: it says which one goes first.</source>
-        <translation type="unfinished"></translation>
+        <translation>アプリケーションが複数あるプロジェクトにはスクリプトが要ります。どれが優先かを決めるものです。</translation>
     </message>
     <message>
         <source>Delete {0} {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1} を削除</translation>
     </message>
     <message>
         <source>{0} has errors: mend them first, or what they name would be lost.</source>
@@ -6222,11 +6242,11 @@ Draw what a robot says, shows and does.</source>
     </message>
     <message>
         <source>The script itself is called so too</source>
-        <translation type="unfinished"></translation>
+        <translation>スクリプト自体もこの名前にする</translation>
     </message>
     <message>
         <source>The script is called so too, not {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>スクリプトも {0} ではなくこの名前にする</translation>
     </message>
     <message>
         <source>The application itself is called so too</source>
@@ -6376,15 +6396,15 @@ Draw what a robot says, shows and does.</source>
     <name>SavingRecording</name>
     <message>
         <source>Writing {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} を書いています</translation>
     </message>
     <message>
         <source>The robot has begun anew: nothing was saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットがはじめからやり直しました。何も保存していません。</translation>
     </message>
     <message>
         <source>{0} is saved: {1} events.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} を保存しました：イベント {1} 件。</translation>
     </message>
 </context>
 <context>
@@ -7242,6 +7262,10 @@ Draw what a robot says, shows and does.</source>
         <translation>{0}、{2} 件中 {1} 件</translation>
     </message>
     <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+    <message>
         <source>In every state</source>
         <translation>すべての状態で</translation>
     </message>
@@ -7327,6 +7351,10 @@ Draw what a robot says, shows and does.</source>
     <message>
         <source>Heard</source>
         <translation>聞き取る</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
     </message>
     <message>
         <source>Which texts</source>
@@ -7731,7 +7759,7 @@ Draw what a robot says, shows and does.</source>
     </message>
     <message>
         <source>Found nearby, or by its address</source>
-        <translation type="unfinished"></translation>
+        <translation>近くで見つけるか、アドレスで</translation>
     </message>
     <message>
         <source>Recent</source>
@@ -7793,6 +7821,10 @@ A right click or the down key gives other values.</source>
     <message>
         <source>Supposed values</source>
         <translation>仮定した値</translation>
+    </message>
+    <message>
+        <source>no situation looks at data yet</source>
+        <translation>データを見る状況がまだありません</translation>
     </message>
     <message>
         <source>Suppose nothing</source>
@@ -8136,7 +8168,7 @@ A right click or the down key gives other values.</source>
     </message>
     <message>
         <source>Another name for the file of an application, script or module information, and for all in the project that refers to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>アプリケーション、スクリプト、モジュール情報のファイルの名前と、プロジェクトの中でそれを参照しているものすべてを変えます。</translation>
     </message>
     <message>
         <source>Append</source>
@@ -8204,11 +8236,11 @@ A right click or the down key gives other values.</source>
     </message>
     <message>
         <source>Delete file…</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルを削除…</translation>
     </message>
     <message>
         <source>Delete the file of the row</source>
-        <translation type="unfinished"></translation>
+        <translation>行のファイルを削除</translation>
     </message>
     <message>
         <source>Deletes the tags that fit a pattern: user.** is everything below user.</source>
@@ -8928,11 +8960,11 @@ A right click or the down key gives other values.</source>
     </message>
     <message>
         <source>Rename file…</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルの名前を変える…</translation>
     </message>
     <message>
         <source>Rename the file of the row</source>
-        <translation type="unfinished"></translation>
+        <translation>行のファイルの名前を変える</translation>
     </message>
     <message>
         <source>Rename the selected card; Tab goes on to the next one</source>
@@ -8972,7 +9004,7 @@ A right click or the down key gives other values.</source>
     </message>
     <message>
         <source>Save as a recording…</source>
-        <translation type="unfinished"></translation>
+        <translation>記録として保存…</translation>
     </message>
     <message>
         <source>Save the rehearsal as a scenario…</source>
@@ -9380,7 +9412,7 @@ A right click or the down key gives other values.</source>
     </message>
     <message>
         <source>What is seen of the robot is written into a file: to be looked at, compared and counted later.</source>
-        <translation type="unfinished"></translation>
+        <translation>ロボットについて見えているものをファイルに書きます。あとで見たり、比べたり、数えたりできます。</translation>
     </message>
     <message>
         <source>What is this?</source>
@@ -12783,10 +12815,6 @@ A right click or the down key gives other values.</source>
         <translation>状況 {0} では {1} に {2} の可能性がある</translation>
     </message>
     <message>
-        <source>in the start state there is nowhere to go back to: name a state</source>
-        <translation>開始状態には戻り先がありません。状態を指定してください</translation>
-    </message>
-    <message>
         <source>in {0}</source>
         <translation>{0} の中</translation>
     </message>
@@ -13383,10 +13411,6 @@ A right click or the down key gives other values.</source>
         <translation>開始</translation>
     </message>
     <message>
-        <source>the state is left first, as {0} without a name {1} then: give it a condition</source>
-        <translation>名前のない {0} がそのとき {1} ので、状態を先に離れます。条件を付けてください</translation>
-    </message>
-    <message>
         <source>the state is the right one, but {0}</source>
         <translation>状態は合っていますが、{0}</translation>
     </message>
@@ -13463,10 +13487,6 @@ A right click or the down key gives other values.</source>
         <translation>成功</translation>
     </message>
     <message>
-        <source>whenever it could be, {0} comes first: change a condition, or their order</source>
-        <translation>起こりうるときには必ず {0} が先になります。条件か順序を変えてください</translation>
-    </message>
-    <message>
         <source>you</source>
         <translation>あなた</translation>
     </message>
@@ -13501,10 +13521,6 @@ A right click or the down key gives other values.</source>
     <message>
         <source>{0} came at {1}</source>
         <translation>{0} が {1} に来ました</translation>
-    </message>
-    <message>
-        <source>{0} comes first, on no condition: put this one before it, or give it one</source>
-        <translation>{0} が先にあり、条件がありません。これをその前に置くか、あちらに条件を付けてください</translation>
     </message>
     <message>
         <source>{0} connects</source>
@@ -13807,6 +13823,10 @@ A right click or the down key gives other values.</source>
         <translation>{0}（{1} に {2} が設定）</translation>
     </message>
     <message>
+        <source>{0}: in the start state there is nowhere to go back to: name a state</source>
+        <translation>{0}：開始状態には戻り先がありません。状態を指定してください</translation>
+    </message>
+    <message>
         <source>{0}: is not empty; name a new or an empty folder</source>
         <translation>{0}: 空ではありません。新しいフォルダーか空のフォルダーを指定してください</translation>
     </message>
@@ -13855,8 +13875,20 @@ A right click or the down key gives other values.</source>
         <translation>{0}：中のプロジェクトを読めません</translation>
     </message>
     <message>
+        <source>{0}: the state is left first, as {1} without a name {2} then: give it a condition</source>
+        <translation>{0}：名前のない {1} がそのとき {2} ので、状態を先に離れます。条件を付けてください</translation>
+    </message>
+    <message>
         <source>{0}: there is a file of this name; name another folder</source>
         <translation>{0}: その名前のファイルがあります。別のフォルダーを指定してください</translation>
+    </message>
+    <message>
+        <source>{0}: whenever it could be, {1} comes first: change a condition, or their order</source>
+        <translation>{0}：起こりうるときには必ず {1} が先になります。条件か順序を変えてください</translation>
+    </message>
+    <message>
+        <source>{0}: {1} comes first, on no condition: put this one before it, or give it one</source>
+        <translation>{0}：{1} が先にあり、条件がありません。これをその前に置くか、あちらに条件を付けてください</translation>
     </message>
     <message>
         <source>{0}: {1} had passed</source>
@@ -14015,6 +14047,10 @@ A right click or the down key gives other values.</source>
         <translation>{0} が別の{1}に</translation>
     </message>
     <message>
+        <source>{0} can not be a tag: {1}</source>
+        <translation>{0} はタグにできません：{1}</translation>
+    </message>
+    <message>
         <source>{0} cannot be run as a part: it must be an application that can be read</source>
         <translation>{0} は部品として動かせません。読めるアプリケーションでなければなりません</translation>
     </message>
@@ -14081,10 +14117,6 @@ A right click or the down key gives other values.</source>
     <message>
         <source>{0} is no tag or pattern: use words, dots, * and **</source>
         <translation>{0} はタグでもパターンでもありません。語、点、*、** を使ってください</translation>
-    </message>
-    <message>
-        <source>{0} is no tag: {1}</source>
-        <translation>{0} はタグではありません：{1}</translation>
     </message>
     <message>
         <source>{0} is not known here; did you mean [{1}]?</source>

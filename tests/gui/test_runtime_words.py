@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QTranslator
 from tests.document.test_docs_problems import EXAMPLES, NUMBERED, Example, checked
 
 from situ.document.ready import load_ready
@@ -22,7 +23,7 @@ from situ.rehearse.scenario import load, parse
 from situ.rehearse.suite import scenarios
 from situ.rehearse.telling import Teller
 from situ.rehearse.why import why_not
-from situ.resources import example
+from situ.resources import example, resource
 from situ_studio.wording.runtime_words import RuntimeWords, templates
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -45,14 +46,29 @@ def test_the_templates_are_those_of_the_sources() -> None:
     assert told.stdout.splitlines() == KNOWN, "run python packaging/texts.py"
 
 
+WRITTEN = re.compile(r'“[^”]*”|"[^"]*"|<[^>]*>|situ simulate|Illegal character')
+"""What a person wrote, or stands so in a file or on the command line, and what Python says."""
+ENGLISH = re.compile(r"[A-Za-z]{2,} [A-Za-z]{2,}")
+
+
+@pytest.fixture(scope="module")
+def japanese() -> RuntimeWords:
+    texts = QTranslator()
+    assert texts.load(str(resource("i18n", "studio_ja.qm")))
+    return RuntimeWords(KNOWN, lambda text: texts.translate("runtime", text) or text)
+
+
 @pytest.mark.parametrize("example", EXAMPLES, ids=NUMBERED)
-def test_every_problem_is_said_in_the_user_s_language(example: Example, tmp_path: Path) -> None:
+def test_every_problem_is_said_in_the_user_s_language(
+    example: Example, tmp_path: Path, japanese: RuntimeWords
+) -> None:
     words = RuntimeWords(KNOWN, marked)
     _, problems = checked(tmp_path, example.failing)
     for problem in problems:
         for text in (problem.message, *([problem.mend.words] if problem.mend else ())):
             said = words.said(text)
             assert said.startswith("⟦"), text
+            assert not ENGLISH.search(WRITTEN.sub("", japanese.said(text))), japanese.said(text)
             assert set(re.findall(r'"[^"]+"|\d+', text)) <= set(re.findall(r'"[^"]+"|\d+', said))
 
 
@@ -67,6 +83,24 @@ def test_values_are_said_in_the_user_s_language_too() -> None:
         {"state {0} added": "{0} を追加", "the timeout of {0}": "{0} の時間切れ"}.__getitem__,
     )
     assert words.said("state the timeout of 5 added") == "5 の時間切れ を追加"
+
+
+@pytest.mark.parametrize(
+    ("listed", "said"),
+    [
+        ("1 ready, 2 wait and 3 go", "1 ready⟨, ⟩2 wait⟨ and ⟩3 go"),
+        ('"yes", "no" or "stop"', '"yes"⟨, ⟩"no"⟨ or ⟩"stop"'),
+        ("bp.systolic and bp.diastolic", "bp.systolic⟨ and ⟩bp.diastolic"),
+        ("wash and dry", "wash and dry"),
+        ("3 wash and dry", "3 wash and dry"),
+        ("tea, milk", "tea, milk"),
+    ],
+)
+def test_what_stands_between_things_is_said_in_the_user_s_language_names_are_not(
+    listed: str, said: str
+) -> None:
+    words = RuntimeWords(["States {0} wait"], lambda text: f"⟨{text}⟩")
+    assert words.said(f"States {listed} wait") == f"⟨States {said} wait⟩"
 
 
 def test_a_language_without_a_template_leaves_its_english() -> None:

@@ -27,6 +27,10 @@ TAG = re.compile(r"[a-z]\w*(\.[\w-]+)+")
 """What stands before a test: ``human.distance above 3``."""
 GLUE = (": ", "; ", ", ", " → ", " and ")
 """What the runtime puts between sentences and values of its own making."""
+LISTING = re.compile(r", | and | or ")
+"""What ``words.listed`` puts between things."""
+THINGS = (re.compile(r"\d+ .+"), re.compile(r'“[^“”]*”|"[^"]*"'), TAG)
+"""What it lists, all of a kind: states by number and name, what a person wrote, tags."""
 DEEPEST = 6
 
 
@@ -73,6 +77,9 @@ class RuntimeWords:
                     told = [self.said(first, depth + 1), self.said(rest, depth + 1)]
                     if told != [first, rest]:
                         return self._translate(glue).join(told)
+            things = LISTING.split(text)
+            if len(things) > 1 and any(all(map(one.fullmatch, things)) for one in THINGS):
+                return LISTING.sub(lambda joint: self._translate(joint[0]), text)
             tag, _, rest = text.partition(" ")
             if TAG.fullmatch(tag) and self.said(rest, depth + 1) != rest:
                 return f"{tag} {self.said(rest, depth + 1)}"

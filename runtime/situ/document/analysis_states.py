@@ -125,17 +125,23 @@ def _tell_never_taken(search: Search, ways: Ways, state: State, dead: Dead) -> N
     others = words.listed(_position(place, dead.place) for place in dead.by)
     holds = "always holds" if len(dead.by) == 1 else "always hold together"
     if dead.why == "back":
-        why = "in the start state there is nowhere to go back to: name a state"
+        told = f"{what}: in the start state there is nowhere to go back to: name a state"
     elif dead.why == "left":
-        why = (
-            f"the state is left first, as {others} without a name {holds} then: give it a condition"
+        told = (
+            f"{what}: the state is left first, as {others} without a name {holds} then: give it a "
+            "condition"
         )
     elif len(dead.by) == 1 and _event(ways, dead.by[0]).when is None:
-        why = f"{others} comes first, on no condition: put this one before it, or give it one"
+        told = (
+            f"{what}: {others} comes first, on no condition: put this one before it, or give it one"
+        )
         mend = _move_up(search, ways, dead)
     else:
-        why = f"whenever it could be, {others} comes first: change a condition, or their order"
-    search.warn(ways.file, "event-never-taken", f"{what}: {why}", aside, dead.place, mend)
+        told = (
+            f"{what}: whenever it could be, {others} comes first: change a condition, or their "
+            "order"
+        )
+    search.warn(ways.file, "event-never-taken", told, aside, dead.place, mend)
 
 
 def _position(place: Place, beside: Place) -> str:

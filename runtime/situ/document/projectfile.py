@@ -284,7 +284,7 @@ class ProjectFile:
             if not names.is_tag(tag):
                 said = "a tag is words of a-z, 0-9, _ and - joined by dots"
                 mend = mends.tag(self.name, ("tags", tag), value, every)
-                self._drop("tags", tag, "bad-tag", f"{shown(tag)} is no tag: {said}", mend)
+                self._drop("tags", tag, "bad-tag", f"{shown(tag)} can not be a tag: {said}", mend)
             elif names.is_reserved(tag):
                 said = f"{shown(tag)} is written by the robot itself only: choose another tag"
                 self._drop("tags", tag, "reserved-tag", said)
