@@ -201,7 +201,9 @@ class WhatIf(QWidget):
             self.who.show_widgets(list(self._modules.values()))
 
     def _datum(self, name: str) -> Chip:
-        chip = Chip(self._theme, name, more=set(self._presets[name]) != {True, False})
+        every = self._presets[name]
+        either = len(every) == 2 and all(isinstance(value, bool) for value in every)
+        chip = Chip(self._theme, name, more=not either)
         chip.clicked.connect(lambda: self._on_datum(name))
         chip.menu_asked.connect(lambda: self._open_menu(name))
         return chip

@@ -242,6 +242,22 @@ def test_in_the_least_height_values_and_answer_have_a_line_each_and_cover_nothin
     assert answer(used)[1] == strip.holders_short.text()
 
 
+def test_a_table_of_values_and_a_list_are_supposed_as_others_are(desk: Make) -> None:
+    used = desk(
+        read(
+            '<spds name="s"><observe><data tag="call" type="object"/>'
+            '<data tag="due" type="list"/></observe>'
+            '<situation name="called"><condition><data tag="call" exists="true"/></condition>'
+            '</situation><situation name="late"><condition><data tag="due" exists="true"/>'
+            '</condition></situation><situation name="all"/></spds>'
+        )
+    )
+    press(used, "due")
+    assert (used.view.what_if.values, answer(used)[0]) == ({"due": []}, "late")
+    press(used, "call")
+    assert (used.view.what_if.values, answer(used)[0]) == ({"call": {}, "due": []}, "called")
+
+
 def test_where_no_situation_looks_at_data_it_says_so_instead_of_an_empty_place(
     desk: Make,
 ) -> None:
