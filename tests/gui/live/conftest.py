@@ -13,7 +13,7 @@ import pytest
 from PySide6.QtCore import QEvent, QEventLoop, QTimer, SignalInstance
 from PySide6.QtWidgets import QApplication, QWidget
 
-DEADLINE = 20_000
+DEADLINE = 60_000
 LATER = 50
 """Milliseconds."""
 ANYWHERE = "tcp://127.0.0.1:0"
