@@ -103,6 +103,8 @@ def test_a_condition_in_a_part_is_that_of_its_place_in_every_state_that_runs_it(
     until(link.moment_changed, lambda: "reception" in link.log.now.applications)
     window.open_file(PART)
     it.select("state", "3")
+    # Of a machine that was slow to open the file the robot may have thought that it is gone.
+    until(link.state_changed, lambda: link.connected)
     it.key(Qt.Key.Key_F9)
     until(link.moment_changed, lambda: len(link.log.now.breakpoints) == 2)
     it.select("state", "2")
@@ -119,6 +121,7 @@ def test_a_condition_in_a_part_is_that_of_its_place_in_every_state_that_runs_it(
     assert when is not None
     until(link.moment_changed, lambda: standing() == both(when))
     it.settle()
+    until(link.state_changed, lambda: link.connected)
     it.fill(window.operating.panel.condition.box(0).tag, "robot.stop")
     when = '<data tag="robot.stop" exists="true"/>'
     until(link.moment_changed, lambda: standing() == both(when))
