@@ -211,7 +211,9 @@ class ScriptCanvas(ScriptCommands):
         zoom = max(ZOOM_LEAST, zoom)
         wide = size.width() / zoom
         left = area.center().x() - wide / 2 if area.width() <= wide else area.left()
-        self.look_at((zoom, left, area.top()))
+        # The headings are as high at any zoom.
+        below = super().extent().top() - (headings.HIGH + 4) / zoom
+        self.look_at((zoom, left, min(area.top(), below)))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -47,6 +47,14 @@ def test_columns_stand_in_the_order_of_reading(made: Any) -> None:
     assert [c.number for c in sorted(situations, key=lambda c: c.y)] == [1, 2, 3]
 
 
+@pytest.mark.parametrize("high", [600, 260])
+def test_the_whole_drawing_begins_below_its_headings_at_any_zoom(made: Any, high: int) -> None:
+    made.canvas.resize(1000, high)
+    made.canvas.zoom_to_fit()
+    top = min(card.y for card in made.canvas.graph.cards.values())
+    assert made.canvas.viewer.mapFromScene(QPointF(0, top)).y() >= made.canvas.headings.height()
+
+
 def test_nothing_lies_on_anything(made: Any) -> None:
     cards = list(made.canvas.graph.cards.values())
     for one in cards:
