@@ -65,6 +65,9 @@ msgstr "こんにちは、{user.name}さん"
 msgid "unsure"
 msgstr "?"
 """
+SETTINGS = {"Morning round": "朝の回診", "Voice": "声", "soft": "小さい声", "loud": "大きい声"}
+"""What the settings say, in Japanese."""
+PO += "".join(f'\nmsgid "{text}"\nmsgstr "{said}"\n' for text, said in SETTINGS.items())
 
 Write = Callable[..., Path]
 
@@ -114,7 +117,7 @@ def test_a_whole_project_is_read(write: Write) -> None:
     assert project.modules is not None
     assert (project.media, project.scenarios) == ("media", "scenarios")
     assert project.languages == ("en", "ja")
-    assert project.texts == {"ja": {"Hello {user.name}": "こんにちは、{user.name}さん"}}
+    assert project.texts == {"ja": {"Hello {user.name}": "こんにちは、{user.name}さん", **SETTINGS}}
     assert (project.endpoint, project.adapter) == ("tcp://127.0.0.1:5571", "sim")
     assert project.announce
     assert project.tags == {"services.records": "http://127.0.0.1:8080"}
@@ -483,6 +486,24 @@ def test_a_text_without_translation_is_a_warning(write: Write) -> None:
     assert [(p.severity, p.code, p.line) for p in problems] == [("warning", "missing-text", 2)]
     assert '"Bye"' in problems[0].message
     assert "ja" in problems[0].message
+
+
+def test_labels_and_choices_of_settings_lack_a_translation_as_other_texts_do(write: Write) -> None:
+    toml = TOML.replace("Morning round", "Voice of the morning")
+    again = '[[setting]]\ntag = "night.voice"\nlabel = "Voice"\n'
+    said = PO
+    for text in ("Voice", "loud"):
+        said = said.replace(f'msgstr "{SETTINGS[text]}"', 'msgstr ""')
+    _, problems = found_in(write(situ_toml=toml + again, texts__ja_po=said))
+    assert {(p.severity, p.code, p.file.endswith("situ.toml")) for p in problems} == {
+        ("warning", "missing-text", True)
+    }
+    # Each once, where it is written.
+    assert [(p.message.split(":")[0], p.place, p.line) for p in problems] == [
+        ('No text in ja for "Voice of the morning"', ("setting", "0", "label"), 25),
+        ('No text in ja for "Voice"', ("setting", "1", "label"), 29),
+        ('No text in ja for "loud"', ("setting", "1", "choices", "1"), 31),
+    ]
 
 
 def test_a_language_without_texts_is_one_warning(write: Write) -> None:

@@ -9,9 +9,11 @@ import polib
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from situ.document import folder
 from situ.document.catalogue import Catalogue, Translation
+from situ.document.project import Setting
 from situ.document.texts import READING
 from situ.document.texts_import import take_in
 from situ.document.texts_table import begun, rows
@@ -35,6 +37,21 @@ def test_every_text_of_a_project_is_a_row_with_its_kind_and_place() -> None:
     entry = begun("Repeat", found)
     assert entry.files == (("reception.rbd.xml", ""),)
     assert "always: button repeat" in entry.where
+
+
+def test_labels_and_choices_of_settings_are_rows_behind_all_others() -> None:
+    project, _ = folder.load(example("vitals"))
+    assert project is not None
+    voice = Setting("voice", "Voice", "choice", ("soft", "1"))
+    found = rows(replace(project, settings=(Setting("volume"), voice)))
+    told = [(row.file, row.place, row.text, row.where) for row in found if row.kind == "setting"]
+    assert told == [
+        ("situ.toml", ("setting", "1", "label"), "Voice", "setting voice"),
+        ("situ.toml", ("setting", "1", "choices", "0"), "soft", "setting voice: choice"),
+    ]
+    assert [row.kind for row in found[-2:]] == ["setting"] * 2
+    entry = begun("Voice", found)
+    assert (entry.where, entry.files) == ("setting voice", (("situ.toml", ""),))
 
 
 def test_what_came_is_told_apart() -> None:

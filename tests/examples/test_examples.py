@@ -224,7 +224,7 @@ def test_every_text_is_translated(name: str) -> None:
         texts |= {say.text for event in owner.events for say in event.says}
     project, _ = folder.load(EXAMPLES / name)
     assert project is not None
-    texts |= {text for text, _ in setting_texts(project.settings)}
+    texts |= {one.text for one in setting_texts(project.settings)}
     every = polib.pofile(str(EXAMPLES / name / "texts" / "ja.po"))
     # How the voice says a word is no text.
     entries = [e for e in every if e.msgctxt != "reading"]

@@ -56,7 +56,7 @@ def field_at(form: ProjectForm, place: Place) -> QWidget | None:
     if isinstance(section, RowsSection):
         row, column = section.row_of(place), 0
         if table == "setting":
-            column = SETTING_COLUMNS.get(place[-1], 0)
+            column = SETTING_COLUMNS.get(place[2] if len(place) > 2 else "", 0)
         if row is not None and row < len(section.rows):
             return section.rows.field(row, column)
     return section

@@ -22,6 +22,7 @@ from situ_studio import kinds
 from situ_studio.assistive.heard_cells import headed
 from situ_studio.edits import places, words
 from situ_studio.panels.project_tree import stem
+from situ_studio.texts import settings
 from situ_studio.texts.sheet import Cell, Sheet, Typed
 from situ_studio.wording.language import translated
 
@@ -32,7 +33,12 @@ CELL = int(Qt.ItemDataRole.UserRole) + 1
 """The ``Cell`` of an index."""
 ROW = CELL + 1
 """The ``TextRow`` of an index."""
-ICONS: dict[Kind, str] = {"shown": "screen", "spoken": "speech", "heard": "heard"}
+ICONS: dict[Kind, str] = {
+    "shown": "screen",
+    "spoken": "speech",
+    "heard": "heard",
+    "setting": "preferences",
+}
 
 
 class Filter(Struct, frozen=True):
@@ -172,6 +178,8 @@ class TextsModel(QAbstractTableModel):
 
     def _words(self, row: TextRow) -> tuple[str, str]:
         assert self.sheet is not None
+        if row.kind == "setting":
+            return settings.words(self.sheet.project, row.place)
         document = self.sheet.project.flows[row.file]
         outer = self.tr("In every state") if row.place[0] == "always" else ""
         if not outer:

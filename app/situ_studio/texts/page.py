@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from situ.document.beside import Toml
 from situ.document.catalogue import Catalogue
 from situ.document.project import Project
 from situ_studio.edits.edit import Written
@@ -51,6 +52,8 @@ class TextsPage(QWidget):
         super().__init__(parent)
         self.setProperty("role", "panel")
         self.sheet: Sheet | None = None
+        self.has_changed = False
+        """Whether the texts shown last are others, or said otherwise, than those before."""
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -111,6 +114,7 @@ class TextsPage(QWidget):
                 ("shown", "", self.tr("Shown")),
                 ("spoken", "", self.tr("Spoken")),
                 ("heard", "", self.tr("Heard")),
+                ("setting", "", self.tr("Settings")),
             ),
             self.tr("Which texts"),
         )
@@ -158,9 +162,13 @@ class TextsPage(QWidget):
 
     # -- showing -----------------------------------------------------------------
 
-    def show_project(self, project: Project, catalogues: Mapping[str, Catalogue]) -> None:
-        """Shows the texts as they are now."""
-        self.sheet = Sheet(project, catalogues)
+    def show_project(
+        self, project: Project, catalogues: Mapping[str, Catalogue], toml: Toml | None
+    ) -> None:
+        """Shows the texts as they are now; toml: ``situ.toml``."""
+        old, self.sheet = self.sheet, Sheet(project, catalogues, toml)
+        said = (self.sheet.rows, self.sheet.catalogues)
+        self.has_changed = old is None or (old.rows, old.catalogues) != said
         current = self.table.currentIndex()
         row = current.data(ROW) if current.isValid() else None
         language = self.table.texts.language(current.column()) if current.isValid() else None

@@ -9,11 +9,14 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from situ.document import beside, catalogue, rbd
+from situ.document.beside import Toml
 from situ.document.catalogue import FUZZY, Catalogue, Translation
+from situ.document.folder import PROJECT_FILE
 from situ.document.project import Project
 from situ.document.texts_table import TextRow, begun, rows
 from situ_studio.edits import places
 from situ_studio.edits.edit import Written
+from situ_studio.texts import settings
 from situ_studio.wording.language import tr
 
 Standing = Literal["written", "done", "missing", "unsure", "lacking", "as_is", "own"]
@@ -45,12 +48,15 @@ class Sheet:
     """The texts of a project as they are at one moment.
 
     catalogues: by language, those that are there. The first of the project's languages is the one
-    in which its documents are written.
+    in which its documents are written. toml: ``situ.toml``, where its settings are written.
     """
 
-    def __init__(self, project: Project, catalogues: Mapping[str, Catalogue]) -> None:
+    def __init__(
+        self, project: Project, catalogues: Mapping[str, Catalogue], toml: Toml | None = None
+    ) -> None:
         self.project = project
         self.catalogues = catalogues
+        self.toml = toml
         self.rows = rows(project)
         self.written_in = project.languages[0] if project.languages else ""
         self.languages = project.languages[1:]
@@ -190,6 +196,9 @@ def _written(
         if not text:
             raise Refused(tr("A text can not be left empty here: delete it where it stands."))
         found[row.file, row.place] = text
+        if row.kind == "setting":
+            files[PROJECT_FILE] = _setting(sheet, files, row, text)
+            continue
         value = places.get(flows[row.file], row.place)
         attribute = "label" if isinstance(value, rbd.List) else "text"
         flows[row.file] = places.change(flows[row.file], row.place, **{attribute: text})
@@ -207,3 +216,13 @@ def _written(
                 stays = old in still or text != last
                 texts[language] = catalogue.reworded(mine, old, text, stays)
     return found
+
+
+def _setting(sheet: Sheet, files: Mapping[str, Written], row: TextRow, text: str) -> Toml:
+    toml = files.get(PROJECT_FILE, sheet.toml)
+    if not isinstance(toml, Toml):
+        raise Refused(tr("{0} has errors: mend it first.").format(PROJECT_FILE))
+    try:
+        return settings.reworded(sheet.project, toml, row.place, text)
+    except ValueError as wrong:
+        raise Refused(str(wrong)) from wrong

@@ -28,6 +28,7 @@ from situ_studio.texts.exchange import Exchange
 from situ_studio.texts.listening import Listening
 from situ_studio.texts.model import language_code, language_name
 from situ_studio.texts.page import TextsPage
+from situ_studio.texts.settings import in_file
 from situ_studio.window.sides import Group
 
 if TYPE_CHECKING:
@@ -103,6 +104,9 @@ class PagesSide(QObject):
         project = self._session.project
         if shown is None or not self.has(shown) or project is None:
             return False
+        if shown == TEXTS and file == PROJECT_FILE:
+            page = self._texts_of(self._window.sides.current)
+            return page is not None and page.has_changed
         return self.key(file) == shown or (shown == TEXTS and file in project.flows)
 
     def go_to_text(self, file: str, place: tuple[str, ...], language: str) -> None:
@@ -153,7 +157,7 @@ class PagesSide(QObject):
         window = self._window
         page = TextsPage(window.theme, self._tags)
         page.edited.connect(self._on_texts)
-        page.go_asked.connect(window.go_to)
+        page.go_asked.connect(self._on_go)
         page.refused.connect(window.say)
         page.import_asked.connect(lambda: self._exchange.take_in(page.language))
         page.export_asked.connect(self._exchange.give_out)
@@ -162,6 +166,13 @@ class PagesSide(QObject):
         page.set_listening(self._voice.can, self._voice.going)
         group.documents.addWidget(page)
         return page
+
+    def _on_go(self, file: str, place: Place) -> None:
+        project, toml = self._session.project, self._session.value(file)
+        if project is None or not isinstance(toml, Toml):
+            self._window.go_to(file, place)
+        else:
+            self.go_to_field(file, in_file(project, toml, place))
 
     def _on_listen(self, text: str, language: str) -> None:
         project = self._session.project
@@ -191,7 +202,9 @@ class PagesSide(QObject):
         for group in self._window.sides.groups:
             texts = self._texts_of(group)
             if texts is not None and group.tabs.chosen_file == TEXTS:
-                texts.show_project(project, self._catalogues())
+                toml = self._session.value(PROJECT_FILE)
+                known = toml if isinstance(toml, Toml) else None
+                texts.show_project(project, self._catalogues(), known)
             media = self._media_of(group)
             if media is not None and group.tabs.chosen_file == MEDIA:
                 media.show_project(project)

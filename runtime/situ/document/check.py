@@ -7,7 +7,7 @@ what to do, and where a machine can do it, a mend. docs/problems.md has every co
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from itertools import takewhile
 
 from situ.document import projectfile
@@ -24,7 +24,7 @@ from situ.document.problem import Change, Mend, Problem, Severity
 from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import Declaration, Entry, Spds
-from situ.document.texts_shown import shown_texts
+from situ.document.texts_shown import setting_texts, shown_texts
 
 UNUSED = "accept-unused"
 
@@ -245,11 +245,14 @@ def _languages(found: Findings, application: Application, project: Project) -> N
             if one.text in known or one.text in told or not one.is_to_translate:
                 continue
             told.add(one.text)
-            said = (
-                f"No text in {language} for {shown(one.text)}: it stays as it is written; "
-                f"translate it in the texts (texts/{language}.po)"
-            )
-            found.warning("missing-text", said, one.aside, one.place)
+            found.warning("missing-text", _untranslated(one.text, language), one.aside, one.place)
+
+
+def _untranslated(text: str, language: str) -> str:
+    return (
+        f"No text in {language} for {shown(text)}: it stays as it is written; "
+        f"translate it in the texts (texts/{language}.po)"
+    )
 
 
 def _project(
@@ -276,6 +279,7 @@ def _project(
                 "are written: begin them, or take the language out"
             )
             told.append(("warning", "missing-texts", said, ("project", "languages", at)))
+    told += _setting_texts(project)
     if not told:
         return []
     text = (files.read(project.toml) or b"").decode(errors="replace")
@@ -297,6 +301,17 @@ def _project(
     return made
 
 
+def _setting_texts(project: Project) -> Iterator[tuple[Severity, str, str, Path]]:
+    for language in project.languages[1:]:
+        known = project.texts.get(language)
+        told: set[str] = set()
+        for one in setting_texts(project.settings):
+            if known is None or one.text in known or one.text in told:
+                continue
+            told.add(one.text)
+            yield "warning", "missing-text", _untranslated(one.text, language), one.place
+
+
 def _listed(project: Project, table: str, key: str, value: str) -> Path:
     """The path of a value that stands in a list."""
     every = project.languages if key == "languages" else ()
@@ -308,5 +323,15 @@ def _written_at(project: Project, path: Path) -> tuple[str, str, str]:
     match path:
         case (str(table), str(key), int(at)):
             return table, key, project.languages[at]
+        case ("setting", str(number), "label"):
+            return "setting", "label", _as_written(project.settings[int(number)].label)
+        case ("setting", str(number), "choices", str(choice)):
+            text = project.settings[int(number)].choices[int(choice)]
+            return "setting", "choices", _as_written(text)
         case _:
             return str(path[0]), str(path[1]), ""
+
+
+def _as_written(text: str) -> str:
+    """A text between its quotes, so that it is not found inside of another one."""
+    return json.dumps(text, ensure_ascii=False)

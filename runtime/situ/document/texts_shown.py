@@ -59,13 +59,24 @@ def shown_texts(application: Application) -> Iterator[ShownText]:
         yield from _phrases(state.events, where, place)
 
 
-def setting_texts(settings: Iterable[Setting]) -> Iterator[tuple[str, str]]:
-    """The labels and choices of settings that have a word in them, and where each stands."""
-    for one in settings:
+class SettingText(Struct, frozen=True):
+    """A text of a setting as written, and where; place: from its position among the settings."""
+
+    text: str
+    where: str
+    place: Place
+
+
+def setting_texts(settings: Iterable[Setting]) -> Iterator[SettingText]:
+    """The labels and choices of settings that have a word in them."""
+    for number, one in enumerate(settings):
+        place = ("setting", str(number))
         if has_words(one.label):
-            yield one.label, f"setting {one.tag}"
-        for choice in filter(has_words, one.choices):
-            yield choice, f"setting {one.tag}: choice"
+            yield SettingText(one.label, f"setting {one.tag}", (*place, "label"))
+        for at, choice in enumerate(one.choices):
+            if has_words(choice):
+                where = f"setting {one.tag}: choice"
+                yield SettingText(choice, where, (*place, "choices", str(at)))
 
 
 def _screen(screen: Screen | None, where: str, place: Place) -> Iterator[ShownText]:

@@ -9,15 +9,16 @@ from msgspec import Struct
 
 from situ.document.catalogue import Translation
 from situ.document.finding import Place
+from situ.document.folder import PROJECT_FILE
 from situ.document.project import Project
-from situ.document.texts_shown import ShownText, shown_texts
+from situ.document.texts_shown import ShownText, setting_texts, shown_texts
 
-Kind = Literal["shown", "spoken", "heard"]
-KINDS: tuple[Kind, ...] = ("shown", "spoken", "heard")
+Kind = Literal["shown", "spoken", "heard", "setting"]
+"""On a screen, by the robot, by a person; on the robot's page of settings."""
 
 
 class TextRow(Struct, frozen=True):
-    """A text at one place of one document.
+    """A text at one place of one file of the project.
 
     where: the place in designers' words. lang: the language that a speech asks for: it is said
     as it is written. is_to_translate: whether there is anything in it to be translated.
@@ -33,8 +34,10 @@ class TextRow(Struct, frozen=True):
 
 
 def rows(project: Project) -> list[TextRow]:
-    """In the order of the project: applications, then parts; ``always``, then state by state."""
-    return [
+    """In the order of the project: applications, then parts; ``always``, then state by state;
+    then the settings.
+    """
+    found = [
         TextRow(
             file,
             one.place,
@@ -48,6 +51,8 @@ def rows(project: Project) -> list[TextRow]:
         for one in shown_texts(application)
         if one.text.strip()
     ]
+    told = setting_texts(project.settings)
+    return found + [TextRow(PROJECT_FILE, t.place, "setting", t.text, t.where) for t in told]
 
 
 def begun(text: str, every: Iterable[TextRow]) -> Translation:

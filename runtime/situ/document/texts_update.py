@@ -130,9 +130,9 @@ def _wanted(
             found.setdefault(one.text, []).append((file, " ".join(one.where.split())))
             is_there = entry is not None and not entry.obsolete
             kept[one.text] = kept.get(one.text, is_there) or one.is_to_translate
-    for text, where in setting_texts(project.settings):
-        found.setdefault(text, []).append((PROJECT_FILE, where))
-        kept[text] = True
+    for told in setting_texts(project.settings):
+        found.setdefault(told.text, []).append((PROJECT_FILE, told.where))
+        kept[told.text] = True
     return {text: places for text, places in found.items() if kept[text]}
 
 

@@ -45,13 +45,13 @@ def forms(project: Project) -> Forms:
     data: dict[str, Datum] = {}
     for datum in _data(project):
         data.setdefault(datum.tag, datum)
-    written = tuple(setting_texts(project.settings))
+    written = [one.text for one in setting_texts(project.settings)]
     return Forms(
         settings=project.settings,
         data=tuple(data.values()),
         states={one.name: tuple(_states(project, one)) for one in project.applications.values()},
         texts={
-            language: {text: known[text] for text, _ in written if text in known}
+            language: {text: known[text] for text in written if text in known}
             for language, known in project.texts.items()
         },
     )
