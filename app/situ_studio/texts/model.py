@@ -218,7 +218,7 @@ class TextsModel(QAbstractTableModel):
             return self.tr("{0}, {1} of {2}").format(self._head(section), counts.done, counts.every)
         if role == Qt.ItemDataRole.ToolTipRole:
             if section == STATE:
-                return self.tr("The state in which the text stands.")
+                return self.tr("The state, or the setting, in which the text stands.")
             if section < WRITTEN:
                 return self.tr("What says it or shows it there.")
             if language is None:
