@@ -12,8 +12,8 @@ import re
 import shutil
 import tempfile
 import unicodedata
+from html import escape
 from pathlib import Path
-from xml.sax.saxutils import escape
 
 from situ.document import catalogue
 from situ.document.beside import language_of, texts_file
@@ -110,8 +110,8 @@ def _in_language(template: Path, language: str) -> dict[str, str]:
     instead = {f'languages = ["{ENGLISH}"]': f'languages = ["{language}"]'}
     for one in found.translations:
         forms = ('"{}"',) if one.context == NAME else (">{}<", "<!-- {} -->", '"text":"{}"')
-        for form in forms:
-            instead[form.format(escape(one.text))] = form.format(escape(one.said))
+        text, said = (escape(each, quote=False) for each in (one.text, one.said))
+        instead |= {form.format(text): form.format(said) for form in forms}
     return instead
 
 
