@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import gc
 import logging
 import os
 import re
@@ -12,18 +11,17 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QEventLoop, QSettings, Qt, QTimer, qInstallMessageHandler
-from PySide6.QtGui import QGuiApplication, QIcon
+from PySide6.QtCore import QEvent, QEventLoop, QSettings, QTimer, qInstallMessageHandler
 from PySide6.QtWidgets import QApplication
 
 import situ
 from situ.document import folder
 from situ.errors import SituError, UsageError
-from situ.resources import examples, resource
+from situ.resources import examples
 from situ_studio.edits.edit import Document
 from situ_studio.export import picture
 from situ_studio.log_file import LogFile, on_qt_message, usual_folder
-from situ_studio.looks.theme import load_fonts
+from situ_studio.looks.application import application
 from situ_studio.panels.project_tree import stem
 from situ_studio.unexpected import Hooks, Interrupts, Unexpected
 from situ_studio.views.table import VIEWS
@@ -37,29 +35,6 @@ _log = logging.getLogger("situ.studio")
 WELCOME = "welcome"
 PATIENCE = 5000
 """Milliseconds that a screenshot of a robot waits for it to answer."""
-
-
-def application() -> QApplication:
-    """The QApplication, made at the first call, with our typeface and style."""
-    there = QApplication.instance()
-    if isinstance(there, QApplication):
-        return there
-    # Fractions of the desktop's scale are taken as they are: the canvas is sharp at any.
-    QGuiApplication.setHighDpiScaleFactorRoundingPolicy(
-        Qt.HighDpiScaleFactorRoundingPolicy.PassThrough
-    )
-    made = QApplication(["situ-studio"])
-    made.setApplicationName("Situ Studio")
-    made.setOrganizationName("Situ")
-    made.setDesktopFileName("situ-studio")
-    # One style everywhere: the sheet's measures are made for it.
-    made.setStyle("Fusion")
-    made.setWindowIcon(QIcon(str(resource("icons", "situ.svg"))))
-    load_fonts()
-    # What was imported stays until the end: Python's full collections, each of which would pause
-    # a window's frame for it, look at what windows made only.
-    gc.freeze()
-    return made
 
 
 def create_window(

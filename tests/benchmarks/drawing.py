@@ -32,12 +32,14 @@ def _name(size: int, zoom: str) -> str:
 def qt() -> Iterator[Any]:
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     try:
-        from situ_studio import main
+        # All of it, as the studio does: what is imported later is not frozen.
+        import situ_studio.main  # noqa: F401
+        from situ_studio.looks.application import application
     except ImportError:
         raise Missing("the editor is not installed: pip install 'situ[studio]'") from None
     from PySide6.QtCore import QEvent
 
-    app = main.application()
+    app = application()
     yield app
     app.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     app.processEvents()

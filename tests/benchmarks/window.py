@@ -23,8 +23,9 @@ import sys
 from PySide6.QtCore import QSettings
 from situ.resources import example
 from situ_studio import main
+from situ_studio.looks.application import application
 
-qt = main.application()
+qt = application()
 settings = QSettings(sys.argv[1], QSettings.Format.IniFormat)
 window = main.create_window(example({EXAMPLE!r}), settings)
 window.show()

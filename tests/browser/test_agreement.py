@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QApplication
 from situ.decide.screens import Shown
 from situ.document import rbd
 from situ.resources import example
-from situ_studio import main
+from situ_studio.looks.application import application
 from situ_studio.screens import input_painting, list_painting
 from situ_studio.screens.component_painting import Stage
 from situ_studio.screens.css_colours import css_colour
@@ -159,7 +159,7 @@ MEASURED = """() => Object.fromEntries([...document.querySelectorAll(".component
 @pytest.fixture(scope="module")
 def qt() -> QApplication:
     """The studio's application, with its fonts."""
-    return main.application()
+    return application()
 
 
 def painted(shown: Content, size: QSize, media: Path) -> QImage:

@@ -32,6 +32,7 @@ from situ.resources import example
 from situ_studio import main
 from situ_studio.export.export_dialog import Export
 from situ_studio.live.connecting_dialog import Chosen
+from situ_studio.looks.application import application
 from situ_studio.window import status
 from situ_studio.window.main_window import MainWindow
 from situ_studio.wording.language import Speaking
@@ -49,7 +50,7 @@ _KNOWN = ("This plugin does not support", "QFont::setPixelSize")
 @pytest.fixture(scope="session")
 def qt() -> Iterator[QApplication]:
     """The one QApplication, as the studio makes it."""
-    made = main.application()
+    made = application()
     yield made
     # The offscreen platform would let go of what was copied after Python's end, and crash.
     made.clipboard().clear()

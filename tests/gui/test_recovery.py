@@ -401,6 +401,7 @@ from pathlib import Path
 from PySide6.QtCore import QSettings
 from situ_studio import main
 from situ_studio.edits import places
+from situ_studio.looks.application import application
 FILE = "reception.rbd.xml"
 window = main.create_window(Path(sys.argv[1]), QSettings(sys.argv[2], QSettings.Format.IniFormat))
 keeping = window.recovery
@@ -409,7 +410,7 @@ window.commit(places.change(document, ("state", "2"), name="killed"), "Rename")
 keeping._keep_soon()
 worker = keeping._worker
 while worker._turn.isActive():
-    main.application().processEvents()
+    application().processEvents()
 process = worker._processes[0]
 process.waitForBytesWritten(10000)
 os.kill(os.getpid(), signal.SIGKILL)

@@ -26,8 +26,9 @@ OPEN = """
 import sys
 from PySide6.QtCore import QSettings
 from situ_studio import main
+from situ_studio.looks.application import application
 
-qt = main.application()
+qt = application()
 window = main.create_window(sys.argv[1], QSettings(sys.argv[2], QSettings.Format.IniFormat))
 window.show()
 main.settle(window)
@@ -47,6 +48,33 @@ def test_opening_an_example_imports_nothing_that_only_a_robot_needs(
         text=True,
     )
     assert opened.stdout.split() == []
+
+
+BESIDE = """
+import sys
+from importlib import import_module
+from pathlib import Path
+import situ_studio
+root = Path(situ_studio.__file__).parent
+beside = [*root.rglob("*_process.py")]
+for file in beside:
+    import_module(".".join(("situ_studio", *file.relative_to(root).with_suffix("").parts)))
+WINDOWS = ("situ_studio.main", "situ_studio.window", "situ_studio.commands")
+print(len(beside), *(name for name in sys.modules if name.startswith(WINDOWS)))
+"""
+
+
+def test_no_process_beside_the_studio_imports_its_windows() -> None:
+    began = subprocess.run(
+        [sys.executable, "-c", BESIDE],
+        env={**os.environ, "QT_QPA_PLATFORM": "offscreen"},
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    many, *windows = began.stdout.split()
+    assert int(many) > 5
+    assert windows == []
 
 
 def test_on_a_screen_with_another_ratio_icons_are_made_anew(

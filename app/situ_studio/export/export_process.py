@@ -11,7 +11,7 @@ from collections.abc import Callable
 from situ.errors import SituError, UsageError
 from situ_studio.export import picture, printing
 from situ_studio.export.large_export import Drawing, Printing
-from situ_studio.main import application
+from situ_studio.looks.application import application
 from situ_studio.processes.answering import answer
 
 
