@@ -12,7 +12,7 @@ import pytest
 from PySide6.QtCore import QEvent, QRectF, QSettings, Qt
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QStyle, QWidget
+from PySide6.QtWidgets import QApplication, QFrame, QLabel, QStyle, QWidget
 from tests.gui.conftest import Studio
 
 from situ.document import folder
@@ -24,6 +24,7 @@ from situ_studio.commands.preferences import Preferences
 from situ_studio.export import picture
 from situ_studio.looks import letters
 from situ_studio.looks.theme import BODY, LIGHT, face, font
+from situ_studio.looks.theme_qss import qss
 from situ_studio.panels.project_tree import ProjectTree
 from situ_studio.panels.tabs import CountButton
 from situ_studio.screens.painting import paint_screen
@@ -206,6 +207,39 @@ def test_a_tab_below_without_room_ends_with_dots_and_says_its_words_in_its_toolt
     assert tab._fitting().endswith("…")
     assert tab.toolTip() == "Breakpoints"
     tab.deleteLater()
+
+
+@pytest.mark.parametrize("chosen", [True, False])
+def test_no_letter_of_a_tab_below_is_painted_in_part(qt: QApplication, chosen: bool) -> None:
+    """Whatever little room there is: its words are whole, or end with dots."""
+    letters.use(150)
+    strip = QFrame()
+    strip.setProperty("role", "bottomtabs")
+    strip.setStyleSheet(qss(LIGHT))
+    for words in ("Problems", "Authority"):
+        tab = CountButton(LIGHT, words, strip)
+        tab.setChecked(chosen)
+        tab.ensurePolished()
+        natural = tab.sizeHint().width()
+
+        def inked(width: int, tab: CountButton = tab) -> int:
+            """Px from the first to the last column with ink."""
+            tab.resize(width, 42)
+            picture = tab.grab().toImage()
+            ground = picture.pixelColor(1, 21)
+            ink = [
+                x
+                for x in range(width)
+                if any(picture.pixelColor(x, y) != ground for y in range(8, 36))
+            ]
+            return ink[-1] - ink[0]
+
+        whole = inked(3 * natural)
+        for width in range(natural - 12, natural + 3):
+            seen = inked(width)
+            assert tab.toolTip() or abs(seen - whole) <= 1, f"{words}: {seen} of {whole} px"
+        assert tab.toolTip() == "", "it has room in what it asks for"
+    strip.deleteLater()
 
 
 def test_the_number_of_a_tab_below_stands_apart_from_its_words(

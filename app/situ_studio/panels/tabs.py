@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, Qt, Signal
-from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtCore import QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
@@ -85,6 +85,8 @@ class Segments(QFrame):
 
 READABLE = 64
 """Px that a tab of the strip below has at least, if its words want them."""
+AROUND = 8
+"""Px beside its words at least; two more where they are as the style measures them."""
 
 
 class CountButton(QPushButton):
@@ -100,6 +102,7 @@ class CountButton(QPushButton):
         # Heard as one of several, not as a box of its own.
         self.setAutoExclusive(True)
         self.setAccessibleName(words)
+        self.toggled.connect(self._settle_tip)
 
     def set_theme(self, theme: Theme) -> None:
         self._theme = theme
@@ -109,6 +112,7 @@ class CountButton(QPushButton):
         self._count = count
         self.setAccessibleName(f"{self._words} {count}" if count else self._words)
         self.setText(self._words + self._behind())
+        self._settle_tip()
 
     def _behind(self) -> str:
         """Room for the pill: the words stand at the left of what spaces make wider."""
@@ -116,23 +120,41 @@ class CountButton(QPushButton):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
+        self._settle_tip()
+
+    def _settle_tip(self) -> None:
         self.setToolTip("" if self._fitting() == self._words else self._words)
+
+    def sizeHint(self) -> QSize:
+        """As wide as it is while it is the one that is shown, whose letters are bolder."""
+        hint = super().sizeHint()
+        wide = self._letters(True).horizontalAdvance(self._words + self._behind())
+        return hint.expandedTo(QSize(wide + 2 * px(AROUND), 0))
+
+    def _letters(self, shown: bool) -> QFontMetrics:
+        """As the style paints them."""
+        letters = QFont(self.font())
+        if shown:
+            letters.setWeight(QFont.Weight.DemiBold)
+        return QFontMetrics(letters)
+
+    def _room(self) -> QRect:
+        """Where words are painted."""
+        return self.rect().adjusted(px(AROUND), 0, -px(AROUND), 0)
 
     def _fitting(self) -> str:
         """What of its words has room."""
-        metrics = self.fontMetrics()
-        room = self.width() - 2 * px(10) - metrics.horizontalAdvance(self._behind())
-        # The one that is shown is bolder than what is measured.
-        if metrics.horizontalAdvance(self._words) <= room + px(4):
-            return self._words
+        metrics = self._letters(self.isChecked())
+        room = self._room().width() - metrics.horizontalAdvance(self._behind())
         return metrics.elidedText(self._words, Qt.TextElideMode.ElideRight, room)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         option = QStyleOptionButton()
         self.initStyleOption(option)
-        option.text = self._fitting() + self._behind()
         styled = QStylePainter(self)
-        styled.drawControl(QStyle.ControlElement.CE_PushButton, option)
+        styled.drawControl(QStyle.ControlElement.CE_PushButtonBevel, option)
+        option.rect, option.text = self._room(), self._fitting() + self._behind()
+        styled.drawControl(QStyle.ControlElement.CE_PushButtonLabel, option)
         styled.end()
         if not self._count:
             return
