@@ -43,8 +43,6 @@ def _of(parts: tuple[str, ...]) -> tuple[Kind, ...]:
 
 LOWEST = 80
 """Px of the palette that are seen in the lowest window."""
-BESIDE = 8
-"""Px that are free round the buttons."""
 BETWEEN, HEAD = 6, 28
 """Px between two groups, and of a group's name in a high window."""
 NARROW = 94
@@ -74,12 +72,12 @@ class PaletteItem(ThemedButton):
 
 
 class PaletteRoom(QScrollArea):
-    """Holds the palette: as high as that, but where there is less room for it: there it scrolls."""
+    """Holds the palette: as high as that, but in a low window, where it scrolls."""
 
     def __init__(self, palette: Palette, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._palette = palette
-        self._room: int | None = None
+        self._low = False
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -89,17 +87,16 @@ class PaletteRoom(QScrollArea):
         palette.filled.connect(self._settle)
         self._settle()
 
-    def set_room(self, room: int | None) -> None:
-        """Px that it may take; None: as many as it wants. It takes ``LOWEST`` in any case."""
-        self._room = room
+    def set_low(self, low: bool) -> None:
+        """Whether the window has no room for all of it."""
+        self._low = low
         self._settle()
 
     def _settle(self) -> None:
-        high = self._palette.maximumHeight()
-        shown = high if self._room is None else min(high, max(px(LOWEST), self._room))
-        self._palette.set_scrolled(shown < high)
-        self.setFixedHeight(shown)
-        bar = self.verticalScrollBar().sizeHint().width() if shown < high else 0
+        height = self._palette.maximumHeight()
+        self.setMaximumHeight(height)
+        self.setMinimumHeight(min(height, px(LOWEST)) if self._low else height)
+        bar = self.verticalScrollBar().sizeHint().width() if self._low else 0
         self.setMinimumWidth(self._palette.minimumSizeHint().width() + bar)
 
 
@@ -117,7 +114,7 @@ class Palette(QWidget):
         self._kinds: tuple[Kind, ...] = ()
         self._dense = False
         self._column = QVBoxLayout(self)
-        self.set_scrolled(False)
+        self._column.setContentsMargins(8, 0, 8, 8)
         self._column.setSpacing(0)
         self._fill()
 
@@ -130,10 +127,6 @@ class Palette(QWidget):
         if dense != self._dense:
             self._dense = dense
             self._fill()
-
-    def set_scrolled(self, scrolled: bool) -> None:
-        """A bar stands beside it, where else is what is free beside the buttons."""
-        self._column.setContentsMargins(BESIDE, 0, 0 if scrolled else BESIDE, BESIDE)
 
     def show_document(self, document: Document | None) -> None:
         """Offers what the document can take."""
@@ -164,7 +157,7 @@ class Palette(QWidget):
             self._column.addLayout(grid)
             height += rows * (high + gap) - gap
         self._column.addStretch(1)
-        self.setFixedHeight(height + BESIDE)
+        self.setFixedHeight(height + 8)
         self.filled.emit()
 
     def _nothing(self) -> int:

@@ -48,7 +48,6 @@ from situ_studio.widgets.breadcrumbs import Breadcrumbs
 from situ_studio.widgets.icon_widgets import IconButton, ThemedButton, retheme
 from situ_studio.window.docking import FOLDED, Docking
 from situ_studio.window.document_tabs import DocumentTabs
-from situ_studio.window.left_heights import LeftHeights
 from situ_studio.window.left_place import LeftPlace
 from situ_studio.window.sides import Sides
 from situ_studio.window.status import Status
@@ -57,6 +56,8 @@ LEFT, RIGHT, BOTTOM = 224, 280, 132
 LEFT_SMALL, RIGHT_SMALL = 208, 264
 LOW = 1000
 """Px of the window's height below which rows are denser."""
+LOWER = 640
+"""Px below which not everything at the left has room."""
 ROBOT_PANEL = 232
 """Px that a panel with the robot's tables wants."""
 
@@ -109,7 +110,6 @@ class Frame(QMainWindow):
         actions.fill_menus(self.menuBar())
         self._fill_panels_menu()
         self._build_toolbar()
-        self.left_heights = LeftHeights(self)
         self.docking.begin()
 
     @property
@@ -173,11 +173,11 @@ class Frame(QMainWindow):
         search.clicked.connect(self.outline.toggle_search)
         headers["outline"].add(search)
         self.headers = headers
-        self.palette_room = PaletteRoom(self.palette_)
+        self._palette_room = PaletteRoom(self.palette_)
         sides: tuple[tuple[str, QWidget], ...] = (
             ("project", self.project_tree),
             ("outline", self.outline),
-            ("palette", self.palette_room),
+            ("palette", self._palette_room),
         )
         for name, widget in sides:
             self.docking.add(name, headers[name].title.text(), widget, headers[name], left)
@@ -348,7 +348,6 @@ class Frame(QMainWindow):
 
     def size_docks(self) -> None:
         """The panels' usual sizes, unless a person has changed them before."""
-        self.left_heights.settle()
         if self.docking.sized:
             return
         small = self.width() < px(1360)
@@ -361,7 +360,7 @@ class Frame(QMainWindow):
         tree = self.project_tree.height_wanted() + px(32)
         self.resizeDocks(
             [self.docks["project"], self.docks["outline"], self.docks["palette"]],
-            [tree, 10000, self.palette_room.height() + px(32)],
+            [tree, 10000, self.palette_.height() + px(32)],
             vertical,
         )
         # Large letters leave a low window's middle its room.
@@ -392,6 +391,7 @@ class Frame(QMainWindow):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.palette_.set_dense(self.height() < px(LOW))
+        self._palette_room.set_low(self.height() < px(LOWER))
         if self.stack.currentIndex() == 1:
             self.size_docks()
 
