@@ -6,8 +6,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QRect, Qt
-from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtGui import QContextMenuEvent, QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
@@ -167,3 +168,31 @@ def test_many_documents_are_listed_and_all_of_them_can_be_reached(
     assert used.window.current_file == files[8]
     room = tabs.bar.tabRect(tabs.bar.currentIndex())
     assert 0 <= room.left() < room.right() <= tabs.bar.width()
+
+
+def test_an_ampersand_in_a_name_is_seen_in_tabs_and_menus_and_found(
+    studio: Start, project: Copy
+) -> None:
+    """None of them makes a mnemonic of it."""
+    folder, file = project("reception"), "tea&cake.rbd.xml"
+    main = folder / "reception.rbd.xml"
+    (folder / file).write_bytes((folder / "register.rbd.xml").read_bytes())
+    state = '<state no="100"><flow src="tea&amp;cake.rbd.xml"/></state></application>'
+    written = main.read_text(encoding="utf-8").replace("</application>", state)
+    main.write_text(written, encoding="utf-8")
+    used = studio(folder)
+    window, tabs = used.window, used.window.tabs
+    window.open_file(file)
+    index = tabs.files().index(file)
+    assert QKeySequence.mnemonic(tabs.bar.tabText(index)).isEmpty()
+    document = window.session.document(file)
+    after = replace(document, name="Tea &cake")
+    window.session.commit(file, after, "Rename it Tea &cake")
+    used.settle()
+    tabs._show_all()
+    assert open_menu().actions()[index].iconText() == "tea&cake •"
+    open_menu().close()
+    undo = window.actions_.actions["undo"]
+    assert QKeySequence.mnemonic(undo.text()).isEmpty()
+    assert undo.iconText() == "Undo: Rename it Tea &cake"
+    assert undo.iconText() in [found.text for found in window.commands.everything()]

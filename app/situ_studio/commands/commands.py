@@ -346,7 +346,7 @@ class Commands(InsertCommands):
                 continue
             one = command(id)
             # What undo and redo would do stands in their actions only.
-            text = told(one) if "/" in one.menu else action.text().rstrip("…")
+            text = told(one) if "/" in one.menu else action.text().replace("&&", "&").rstrip("…")
             if action.isEnabled():
                 keys = action.shortcut().toString()
                 found.append(Find(text, one.icon, "text2", keys, action.trigger, one.menu, id))

@@ -183,9 +183,10 @@ class DocumentTabs(QFrame):
 
     def add(self, file: str, words: str, icon: str, token: str) -> None:
         """One more tab, without choosing it."""
-        self._looks[file], self._words[file] = (icon, token), words
+        # What && stands for is shown as & by the tab, and by the menu of all of them.
+        self._looks[file], self._words[file] = (icon, token), words.replace("&", "&&")
         self.bar.blockSignals(True)
-        index = self.bar.addTab(icons.icon(icon, self._theme.color(token), 16), words)
+        index = self.bar.addTab(icons.icon(icon, self._theme.color(token), 16), self._words[file])
         self.bar.setTabData(index, file)
         self.bar.setTabToolTip(index, file)
         self.bar.blockSignals(False)

@@ -30,14 +30,19 @@ class PanelsSide(QObject):
         self.settle_document()
 
     def settle_document(self) -> None:
-        """The current document is another one, or another value, or there is none."""
+        """The current document is another one, or there is none."""
+        self.settle_value()
+        self._window.actions_.refresh()
+
+    def settle_value(self) -> None:
+        """The current document is another value; ``settle_stack`` comes next, for the commands."""
         window = self._window
         document, project = window.current_document, window.session.project
         window.palette_.show_document(document)
         window.status.show_counts(document)
         window.status.show_project(project is not None)
         self.settle_outline()
-        self.settle_selection()
+        self._settle_selected()
         if project is not None and document is not None:
             application = isinstance(document, Application)
             window.headers["outline"].title.setText(
@@ -55,6 +60,10 @@ class PanelsSide(QObject):
 
     def settle_selection(self) -> None:
         """Something else is selected in the current document, or it is no longer what it was."""
+        self._settle_selected()
+        self._window.actions_.refresh()
+
+    def _settle_selected(self) -> None:
         window = self._window
         view, document, project = (
             window.current_view,
@@ -76,7 +85,6 @@ class PanelsSide(QObject):
             window.outline.select(view.selected)
             window.status.show_selection(view.selected)
         window.designing.settle()
-        window.actions_.refresh()
 
     def settle_problems(self) -> None:
         window, found = self._window, self._window.session.problems
@@ -90,8 +98,11 @@ class PanelsSide(QObject):
         window, session = self._window, self._window.session
         undo, redo = session.undo_text, session.redo_text
         actions = window.actions_.actions
-        actions["undo"].setText(self.tr("Undo: {0}").format(undo) if undo else self.tr("Undo"))
-        actions["redo"].setText(self.tr("Redo: {0}").format(redo) if redo else self.tr("Redo"))
+        undo_text = self.tr("Undo: {0}").format(undo) if undo else self.tr("Undo")
+        redo_text = self.tr("Redo: {0}").format(redo) if redo else self.tr("Redo")
+        # An ampersand in a name begins no mnemonic.
+        actions["undo"].setText(undo_text.replace("&", "&&"))
+        actions["redo"].setText(redo_text.replace("&", "&&"))
         there = session.project is not None
         window.status.show_saved(len(session.dirty), session.saved_at, there)
         self.settle_title()
