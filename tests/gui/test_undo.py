@@ -6,9 +6,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
 from PySide6.QtCore import QPointF, Qt
 
+from situ_studio.commands.menus import Actions
 from situ_studio.edits import places
+from situ_studio.window.panels_side import PanelsSide
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -61,3 +64,30 @@ def test_a_step_over_several_documents_is_taken_back_as_one(studio: Start, proje
     used.key(Qt.Key.Key_Z, CONTROL | SHIFT)
     assert all(session.document(f) is after[f] for f in files)
     assert used.window.current_file == "reception.rbd.xml"
+
+
+def test_an_edit_is_told_to_files_and_commands_once(
+    studio: Start, project: Copy, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    used = studio(project("reception"))
+    window = used.window
+    used.select("state", "2")
+    told: list[str] = []
+
+    def count(what: type, name: str) -> None:
+        there = getattr(what, name)
+        monkeypatch.setattr(what, name, lambda one: (told.append(name), there(one)))
+
+    count(PanelsSide, "settle_files")
+    count(Actions, "refresh")
+    shown = window.current_file
+    after = places.change(window.current_document, ("state", "2"), name="hello there")
+    window.commit(after, "Rename state 2")
+    assert sorted(told) == ["refresh", "settle_files"]
+    assert window.actions_.actions["undo"].isEnabled()
+    # As much for a document that is not shown.
+    window.open_file("modules.xml")
+    told.clear()
+    again = places.change(after, ("state", "2"), name="hello")
+    window.commit(again, "Rename state 2", shown)
+    assert sorted(told) == ["refresh", "settle_files"]

@@ -370,8 +370,7 @@ class MainWindow(Frame):
             view.selected = tuple(p for p in view.selected if places.get(document, p) is not None)
             view.show_document(document, self.session.problems_of(file))
         if file == self.current_file:
-            self.panels.settle_document()
-        self.panels.settle_files()
+            self.panels.settle_value()
 
     def _on_undone(self, file: str, selected: tuple[Place, ...], looking: Looking | None) -> None:
         other = self.sides.other
