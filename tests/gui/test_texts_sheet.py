@@ -5,11 +5,12 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from situ.document import beside, codec
 from situ.document.beside import Beside
 from situ.document.catalogue import Catalogue, Translation
-from situ.document.project import Project
+from situ.document.project import Project, Setting
 from situ.document.rbd import Application
 from situ_studio.texts.sheet import Refused, Sheet, Typed, changed
 
@@ -142,3 +143,11 @@ def test_one_text_is_not_given_two_translations_in_one_paste() -> None:
         changed(sheet, [Typed(first, "ja", "A"), Typed(second, "ja", "B")])
     same = changed(sheet, [Typed(first, "ja", "A"), Typed(second, "ja", " A ")])
     assert _after(sheet, dict(same)).cell(second, "ja").text == "A"
+
+
+def test_a_setting_is_not_changed_where_its_file_can_not_be_read() -> None:
+    sheet = _sheet()
+    asked = Sheet(replace(sheet.project, settings=(Setting("voice", "Voice"),)), {})
+    row = asked.rows[-1]
+    with pytest.raises(Refused, match=r"situ\.toml has errors"):
+        changed(asked, [Typed(row, None, "Speech")])
