@@ -222,5 +222,5 @@ def test_a_module_that_connects_to_the_robot_tells_of_itself_here(
         assert drawing.session.document(SCRIPT) == before
         assert names(drawing)[0] == "seer"
     until(present.changed, lambda: not any(m.name == "seer" and m.present for m in present.modules))
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
     assert present.modules == ()

@@ -469,9 +469,3 @@ class MainWindow(Frame):
         self.robot.disconnect_robot()
         super().closeEvent(event)
         self.closed.emit(self)
-
-    # -- the robot -------------------------------------------------------------------------------
-
-    def disconnect_robot(self) -> None:
-        """Ends the link, if there is one."""
-        self.robot.disconnect_robot()

@@ -126,7 +126,7 @@ def test_a_condition_in_a_part_is_that_of_its_place_in_every_state_that_runs_it(
     when = '<data tag="robot.stop" exists="true"/>'
     until(link.moment_changed, lambda: standing() == both(when))
     until(link.moment_changed, lambda: len(link.log.now.breakpoints) == 4)
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
 
 
 def test_a_breakpoint_with_a_condition_pauses_only_while_it_holds_and_is_kept(
@@ -190,7 +190,7 @@ def test_a_breakpoint_with_a_condition_pauses_only_while_it_holds_and_is_kept(
     it.settle()
     assert panel.condition.box(0).within.isVisible()
     assert not panel.condition.box(0).hold.isVisible()
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
     # Another robot has none: those of this project are offered, and nothing is set unasked.
     there.stop()
     other = robot(there.project, state="other")
@@ -212,7 +212,7 @@ def test_a_breakpoint_with_a_condition_pauses_only_while_it_holds_and_is_kept(
     until(link.moment_changed, lambda: not link.log.now.breakpoints)
     it.settle()
     assert panel.table.rows.rows == []
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
 
 
 def test_of_conditions_given_faster_than_the_robot_answers_the_last_one_stands_alone(
@@ -247,7 +247,7 @@ def test_of_conditions_given_faster_than_the_robot_answers_the_last_one_stands_a
     until(link.moment_changed, lambda: bool(answered))
     assert stand() == [when]
     assert panel.condition.box(0).value.text() == "-20"
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
 
 
 def test_a_condition_goes_to_the_robot_when_the_one_before_stands_and_only_the_last() -> None:
@@ -320,7 +320,7 @@ def test_a_condition_wanted_where_the_robot_refused_a_breakpoint_is_wanted_no_lo
     until(link.moment_changed, lambda: any(b["state"] == "2" for b in link.log.now.breakpoints))
     found = {one["state"]: one.get("when") for one in link.log.now.breakpoints}
     assert found == {"77": None, "2": None}
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
 
 
 def test_a_group_begun_for_one_breakpoint_is_not_the_next_ones(qt: Any) -> None:

@@ -82,7 +82,7 @@ def test_a_running_robot_is_asked_with_its_clock_which_goes_on(
     table = rows(it.window.robot.blackboard)
     assert table["clock.note"][1] == "early"
     assert table["clock.time"][1] == shown
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
 
 
 def test_a_recording_tells_the_clock_by_its_inputs_also_where_it_begins_later(

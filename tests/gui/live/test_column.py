@@ -429,7 +429,7 @@ def test_of_a_robot_it_goes_on_and_of_what_runs_there_the_script_counts(
         assert it.window.robot.follower.same is False
         assert rows(column.resources)["head"] == ("gaze-sound", "60")
         assert rows(column.data)["sound.slap"][0] == "40°"
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
     assert not column.isVisible()
 
 

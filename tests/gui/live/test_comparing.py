@@ -525,7 +525,7 @@ def test_a_robot_that_goes_on_is_compared_with_a_recording(
     assert comparing.parting() is not None
     # The robot's clock goes on meanwhile, and both runs stay in the timeline.
     assert {row.run for row in window.robot.timeline.chart.rows} >= {0, 1}
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
 
 
 def test_reading_the_other_run_is_cancelled_or_refused_and_all_stays(

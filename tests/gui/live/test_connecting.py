@@ -244,4 +244,4 @@ def test_a_robot_that_was_found_is_spoken_to_by_its_key_and_none_without(
     it.answers.put("robot", Chosen(there.endpoint, fingerprint(public)))
     it.key(Qt.Key.Key_R, CONTROL)
     until(link.state_changed, lambda: link.connected)
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()

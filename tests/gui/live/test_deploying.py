@@ -126,7 +126,7 @@ def test_what_differs_is_told_deployed_and_taken_back(
     press(it, dialog.theirs)
     assert "is there already" in it.answers.told[-1]
     dialog.close()
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
     assert deploying.stands == "idle"
 
 
@@ -156,7 +156,7 @@ def test_what_is_wrong_is_not_sent(
     assert "99" in dialog.stands.text()
     assert dialog.deploy.isEnabled()
     # Without a robot there is nothing to send it to.
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
     assert not dialog.deploy.isEnabled()
     dialog.close()
 
@@ -194,4 +194,4 @@ def test_a_version_that_fails_in_its_first_minute_is_told_of_though_the_dialog_i
     robot(there.project, there.endpoint)
     until(side.deploying.ended, lambda: bool(it.answers.told))
     assert it.answers.told[0].startswith("The robot has gone back to version 0 by itself: ")
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()

@@ -170,7 +170,7 @@ def test_of_the_conversation(
         assert then["robot.stop"] == "true"
         assert then["face.direction"] == "12"
         viewing.follow()
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
 
 
 def test_of_the_reception(
@@ -228,7 +228,7 @@ def test_of_the_reception(
     ]
     assert any("timeout 60 → 30 s" in words for words in told), told
     window.deploying.dialog.close()
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
 
 
 def show(it: Any) -> None:

@@ -70,7 +70,7 @@ def test_graphs_and_tables_show_what_the_robot_does(
     assert "differs here" in window.status.link.text()
     it.session.undo()
     assert "same as the robot" in window.status.link.text()
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
     assert window.status.link.text() == "no robot"
     assert shown.canvas.look.live is None
     # What that robot runs is not what the next one does.
@@ -96,7 +96,7 @@ def test_a_lost_robot_is_told_at_once_and_found_again(
     seqs = [event["seq"] for event in link.log]
     assert seqs == list(range(1, len(seqs) + 1))
     assert first >= 1
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
 
 
 def test_where_the_robot_begins_anew_no_view_stays_at_a_moment_that_is_gone(
@@ -117,7 +117,7 @@ def test_where_the_robot_begins_anew_no_view_stays_at_a_moment_that_is_gone(
     until(link.began_anew, lambda: viewing.follows)
     assert bookmarks.every == []
     until(link.moment_changed, lambda: "reception" in link.log.now.applications)
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
 
 
 def test_what_is_deployed_meanwhile_is_what_the_documents_are_compared_with(
@@ -142,7 +142,7 @@ def test_what_is_deployed_meanwhile_is_what_the_documents_are_compared_with(
     assert [e["version"] for e in link.log if e["kind"] == "deployed"] == [1]
     seqs = [event["seq"] for event in link.log]
     assert seqs == list(range(1, len(seqs) + 1))
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
 
 
 def test_an_address_where_nobody_answers_is_tried_and_can_be_given_up(
@@ -164,7 +164,7 @@ def test_an_address_where_nobody_answers_is_tried_and_can_be_given_up(
     refusals: list[str] = []
     link.set(it.window, {"x": 1}, refusals.append)
     assert refusals == ["No robot is connected."]
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
     assert it.window.status.link.text() == "no robot"
 
 

@@ -84,7 +84,7 @@ def test_the_status_bar_tells_of_the_link_and_the_rest_at_a_click(
     assert not status.right.isVisible()
     assert status.button.text() == there.endpoint
     assert [name for name, _ in status.facts()] == ["Address", "Project", "Link"]
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
     assert not status.button.isVisible()
 
 

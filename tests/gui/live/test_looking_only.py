@@ -101,4 +101,4 @@ def test_who_may_only_look_finds_what_the_robot_would_refuse_greyed_with_the_rea
         it.settle()
         assert not actions.actions["operate.resume"].isEnabled()
         assert [one["state"] for one in link.log.now.breakpoints] == ["3"]
-    window.disconnect_robot()
+    window.robot.disconnect_robot()

@@ -138,7 +138,7 @@ def test_breakpoints_pause_the_robot_where_they_are_shown_and_hands_lead_it_on(
     window.actions_.actions["operate.clear"].trigger()
     until(link.moment_changed, lambda: not link.log.now.breakpoints)
     assert live().breakpoints == frozenset()
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
     assert not status.isVisible()
 
 
@@ -172,7 +172,7 @@ def test_a_pause_and_a_breakpoint_that_stops_are_told_once_each(
     actions["operate.goto"].trigger()
     until(link.moment_changed, lambda: now().stopped is not None)
     assert pauses() == [first, "converse is paused at 3 glad, at breakpoint 1"]
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
     assert len(pauses()) == 2
 
 
@@ -191,7 +191,7 @@ def test_what_the_robot_refuses_is_said_in_words(
     until(it.window.robot.link.moment_changed, lambda: operating.is_paused)
     it.window.actions_.actions["operate.step"].trigger()
     until(operating.refused, lambda: "paused" not in said.text() and "converse" in said.text())
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
 
 
 def test_nobody_who_rehearses_pauses_or_leads_the_robot_by_mistake(
@@ -225,7 +225,7 @@ def test_nobody_who_rehearses_pauses_or_leads_the_robot_by_mistake(
     it.key(Qt.Key.Key_F5)
     follower.refresh()
     assert status.text() == f"rehearsing, 0.0 s; converse of {link.state.project} is paused"
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
     follower.refresh()
     assert status.text() == "rehearsing, 0.0 s"
     actions["rehearse.end"].trigger()
@@ -291,7 +291,7 @@ def test_what_a_lost_robot_was_asked_for_is_never_done_by_the_one_that_comes_bac
     link.set(window, {"last": 2}, refusals.append)
     until(link.moment_changed, lambda: "last" in link.log.now.board)
     assert "spo2" not in link.log.now.board
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
 
 
 def test_a_window_that_stood_still_has_lost_nothing_and_carries_out_what_a_hand_asks_then(
@@ -333,7 +333,7 @@ def test_a_window_that_stood_still_has_lost_nothing_and_carries_out_what_a_hand_
     assert gone_to() == ["3", "2"]
     assert refusals == []
     assert [event["seq"] for event in link.log] == list(range(1, len(link.log) + 1))
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
 
 
 def test_what_was_not_answered_when_a_robot_was_left_is_no_matter_of_the_next_ones(
@@ -347,14 +347,14 @@ def test_what_was_not_answered_when_a_robot_was_left_is_no_matter_of_the_next_on
     there.kill()
     assert link.connected
     it.window.operating.pause()
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
     other = robot(there.project, state="another")
     connect(it, other.endpoint, until)
     other.kill()
     until(link.state_changed, lambda: link.state.kind == "lost")
     it.settle()
     assert refusals == []
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
 
 
 def test_the_cursor_of_a_lost_robot_stays_where_its_time_had_come_to(
@@ -384,10 +384,10 @@ def test_the_cursor_of_a_lost_robot_stays_where_its_time_had_come_to(
     assert "; robot: lost " in words
     viewing.follow()
     # Nor does it go when nobody looks for the robot any more; the next one's time is its own.
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
     assert viewing.t == stood
     robot(there.project, there.endpoint, "another")
     link.clock = clock
     connect(it, there.endpoint, until)
     assert viewing.t < 58.0
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()

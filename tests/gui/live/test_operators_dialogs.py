@@ -153,7 +153,7 @@ def test_the_robot_is_asked_what_it_expects_and_gets_what_was_taken(
     last = kinds(link, "event")[-1]
     assert last["name"] == taken[0]
     assert last["writer"].startswith("operator:")
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
 
 
 @pytest.mark.parametrize(

@@ -199,7 +199,7 @@ def test_a_robot_that_runs_a_changed_flow_explains_by_its_own_guard(
         for t in (before, window.robot.follower.viewing.t)
     ]
     assert names == ["theirs", "hello"]
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
 
 
 def test_a_recording_is_asked_by_the_documents_in_it_and_the_open_ones_only_where_it_has_none(

@@ -61,4 +61,4 @@ def test_a_robot_that_is_killed_and_comes_back_with_another_flow_is_followed_wit
     assert states == ["connecting", "live", "lost", "live"]
     assert link.state.behind is not None
     assert "differs here" in window.status.link.text()
-    window.disconnect_robot()
+    window.robot.disconnect_robot()

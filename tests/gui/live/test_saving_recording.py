@@ -49,7 +49,7 @@ def test_what_was_seen_of_a_robot_is_saved_and_opened_as_it_was(
     # Private values are in it.
     assert file.stat().st_mode & 0o077 == 0
     assert [one.name for one in tmp_path.glob("seen*")] == ["seen.mcap"]
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
     window.robot.open_recording(file)
     until_shown(it)
     recording = window.robot.recording

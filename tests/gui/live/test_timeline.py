@@ -182,5 +182,5 @@ def test_of_a_robot_the_end_is_followed_until_somebody_looks_back(
         it.click(timeline.pause)
         assert viewing.follows
         assert viewing.moment().board["sound.slap"].value == 50
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
     assert not timeline.isVisible()

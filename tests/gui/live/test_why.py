@@ -389,5 +389,5 @@ def test_a_running_robot_is_asked_while_it_goes_on(
     it.click_row(window.why.panel.table, window.why.panel.table.rows.index(0, 1))
     assert not window.robot.follower.viewing.follows
     assert window.robot.follower.viewing.t == window.why.panel.links[0].t
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
     assert not window.bottom.button("why").isVisible()

@@ -166,7 +166,7 @@ def test_a_long_trace_of_a_running_robot_is_asked_beside_the_window(
     (link_,) = side.panel.links
     assert link_.words == f"converse was in {state} already, since {link_.at}"
     assert link_.at == window.robot.follower.viewing.written(now.since)
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
 
 
 def test_moments_in_a_sentence_are_written_by_the_clock_but_not_what_a_person_wrote() -> None:

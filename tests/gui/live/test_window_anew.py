@@ -67,7 +67,7 @@ def test_a_robot_stays_at_the_moment_that_is_looked_at_and_a_version_on_trial_is
     anew(it)
     assert it.window.robot.follower.viewing.follows
     assert not it.window.robot.timeline.bookmarks.every[1:]
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
 
 
 def test_what_the_window_before_asked_of_a_robot_and_hears_of_it_is_no_matter_of_the_next_one(
@@ -95,11 +95,11 @@ def test_what_the_window_before_asked_of_a_robot_and_hears_of_it_is_no_matter_of
     assert faults == []
     # Nor what is drawn here, nor what the robot runs, which is heard of again.
     rename(it, "greeting")
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
     assert connect(it, there.endpoint, until) is link
     it.settle()
     assert faults == []
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
 
 
 def test_a_recording_stays_with_what_stands_beside_it_and_what_was_counted(

@@ -67,7 +67,7 @@ def test_a_version_that_waits_for_what_is_paused_says_so_and_runs_once_that_goes
     until(link.documents_came, lambda: "greeting" in link.files[file])
     assert "same as the robot" in window.status.link.text()
     dialog.close()
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
 
 
 def test_a_robot_that_is_frozen_goes_or_comes_back_as_another_projects_is_told_as_that(
@@ -132,7 +132,7 @@ def test_a_robot_that_is_frozen_goes_or_comes_back_as_another_projects_is_told_a
     it.settle()
     window.robot.follower.refresh()
     assert ", same as the robot" in window.status.link.text()
-    window.disconnect_robot()
+    window.robot.disconnect_robot()
 
 
 FLOOD = """
@@ -175,4 +175,4 @@ def test_a_robot_that_is_killed_in_a_flood_of_events_is_followed_on_and_what_was
     it.window.robot.follower.refresh()
     told = f"{missed:,} events missed"
     assert (told in it.window.status.link.text()) == bool(missed)
-    it.window.disconnect_robot()
+    it.window.robot.disconnect_robot()
