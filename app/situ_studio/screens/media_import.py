@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import filecmp
+import os
 import re
 import shutil
 import unicodedata
+from collections.abc import Iterator
 from pathlib import Path
 
 from situ.document.folder import resolve
@@ -48,12 +50,28 @@ def names_of(project: Project) -> tuple[str, ...]:
     if home is None or not home.is_dir():
         return ()
     if project.media is not None:
-        every = [one for one in home.rglob("*") if one.is_file()]
-    else:
-        both = (*home.glob("*"), *(home / FOLDER).rglob("*"))
-        endings = (*PICTURES, *MOVIES, *SOUNDS)
-        every = [one for one in both if one.suffix.lower() in endings and one.is_file()]
-    return tuple(sorted(one.relative_to(home).as_posix() for one in every))
+        return tuple(sorted(_files(home)))
+    both = (*_files(home, deep=False), *_files(home / FOLDER, f"{FOLDER}/"))
+    endings = (*PICTURES, *MOVIES, *SOUNDS)
+    return tuple(sorted(one for one in both if Path(one).suffix.lower() in endings))
+
+
+def _files(folder: Path | str, above: str = "", deep: bool = True) -> Iterator[str]:
+    """As they are called below a folder, which is called ``above``; none where it can not be read.
+
+    Folders say what their entries are: each edit reads these names, and asks no file.
+    """
+    try:
+        with os.scandir(folder) as found:
+            entries = list(found)
+    except OSError:
+        return
+    for one in entries:
+        if not one.is_dir(follow_symlinks=False):
+            if one.is_file():
+                yield above + one.name
+        elif deep:
+            yield from _files(one.path, f"{above}{one.name}/")
 
 
 def bring(project: Project, source: Path, endings: tuple[str, ...] = (*PICTURES, *MOVIES)) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -114,3 +115,47 @@ def test_what_came_into_a_project_without_a_media_folder_is_shown_and_offered(
         assert media_pictures.picture(home, "beside.png") is not None
     offered = Lexicon().vocabulary(project, application).media
     assert offered == ("beside.png", "media/beside.png")
+
+
+def test_media_are_the_files_of_their_folder_and_of_all_below_it(project: Project) -> None:
+    home = Path(project.root) / "media"
+    (home / "dogs" / "small").mkdir(parents=True)
+    (home / "empty").mkdir()
+    for name in ("b.png", "a.txt", "dogs/c.png", "dogs/small/a.png"):
+        (home / name).touch()
+    (home / "again.png").symlink_to(home / "b.png")
+    (home / "nowhere.png").symlink_to(home / "gone.png")
+    (home / "round").symlink_to(home, target_is_directory=True)
+    expected = ("a.txt", "again.png", "b.png", "dogs/c.png", "dogs/small/a.png")
+    assert media_import.names_of(project) == expected
+
+
+def test_without_a_media_folder_media_are_what_the_page_shows_of_two_folders(
+    tmp_path: Path,
+) -> None:
+    project = Project(root=str(tmp_path), name="p")
+    assert media_import.names_of(project) == ()
+    (tmp_path / "media" / "dogs").mkdir(parents=True)
+    (tmp_path / "other").mkdir()
+    for name in ("a.rbd.xml", "B.PNG", "other/c.png", "media/d.ogg", "media/dogs/e.webm"):
+        (tmp_path / name).touch()
+    assert media_import.names_of(project) == ("B.PNG", "media/d.ogg", "media/dogs/e.webm")
+
+
+def test_names_of_media_are_read_without_asking_each_file(
+    project: Project, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    many = [f"{number:02}.png" for number in range(40)]
+    for name in many:
+        (Path(project.root) / "media" / name).touch()
+    asked: list[Path] = []
+    for what in ("stat", "is_file"):
+        there = getattr(Path, what)
+
+        def ask(path: Path, there: Any = there, **kinds: Any) -> Any:
+            asked.append(path)
+            return there(path, **kinds)
+
+        monkeypatch.setattr(Path, what, ask)
+    assert media_import.names_of(project) == tuple(many)
+    assert len(asked) < 10
