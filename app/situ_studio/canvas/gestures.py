@@ -21,7 +21,7 @@ from situ_studio.canvas.picture import ALWAYS, NEW, TIMEOUT, exit_of
 from situ_studio.canvas.projection import targets
 from situ_studio.edits import changes, places, words
 from situ_studio.edits.edit import Place
-from situ_studio.wording.language import tr, translated
+from situ_studio.wording.language import count, tr, translated
 
 GRID = 8.0
 """Cards snap to this."""
@@ -349,8 +349,8 @@ def snap_all(application: Application, shown: Mapping[Place, tuple[float, float]
     to = {place: (snap(x), snap(y)) for place, (x, y) in shown.items()}
     moved = {place: at for place, at in to.items() if at != shown[place]}
     after, text = move(application, moved) if moved else (application, "")
-    count = "1 card" if len(moved) == 1 else f"{len(moved)} cards"
-    return after, f"Put {count} on the grid" if text else ""
+    told = count(len(moved), tr("Put {0} card on the grid"), tr("Put {0} cards on the grid"))
+    return after, told if text else ""
 
 
 # -- order on the canvas ---------------------------------------------------------
@@ -402,5 +402,5 @@ def align(application: Application, areas: Mapping[Place, Area], edge: str) -> D
                     y = (top + bottom - area.height) / 2
             to[place] = (x, y)
     after, text = move(application, to)
-    verb = "Distribute" if edge in ("across", "down") else "Align"
-    return after, f"{verb} {len(areas)} cards" if text else ""
+    told = tr("Distribute {0} cards") if edge in ("across", "down") else tr("Align {0} cards")
+    return after, told.format(len(areas)) if text else ""

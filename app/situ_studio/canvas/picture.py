@@ -140,11 +140,11 @@ class Card(Struct, frozen=True):
         if leaving.phrase:
             parts.append(f"“{leaving.phrase}”")
         if leaving.guard:
-            parts.append(f"if {leaving.guard}")
+            parts.append(tr("if {0}").format(leaving.guard))
         if leaving.missing:
-            parts.append(f"leads to state {leaving.next}, which does not exist")
+            parts.append(tr("leads to state {0}, which does not exist").format(leaving.next))
         elif leaving.next is None:
-            parts.append("stays in the state")
+            parts.append(tr("stays in the state"))
         parts += leaving.mark.told()
         return "\n".join(parts)
 

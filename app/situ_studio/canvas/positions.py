@@ -129,5 +129,5 @@ class Positions(QObject):
         to = {self._canvas.face(uid).place: at for uid, at in placed.items()}
         after, text = gestures.move(self._canvas.document, to)
         after = self._figuring.arranged(after, placed)
-        self._edit(after, "Arrange all cards" if text else "")
+        self._edit(after, tr("Arrange all cards") if text else "")
         self._canvas.zoom_to_fit()

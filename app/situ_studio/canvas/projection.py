@@ -313,7 +313,7 @@ def _links(card: Card) -> dict[tuple[str, ...], Link]:
             exit=leaving.id,
             target=leaving.next,
             label=leaving.label,
-            guard=f"if {leaving.guard}" if leaving.guard else "",
+            guard=tr("if {0}").format(leaving.guard) if leaving.guard else "",
         )
         for leaving in card.exits
         if leaving.next is not None and not leaving.short

@@ -13,7 +13,7 @@ from situ.errors import SituError
 from situ_studio.commands.situation_commands import SituationCommands
 from situ_studio.files.opening import Reading, is_large
 from situ_studio.project import projects
-from situ_studio.wording.language import spoken
+from situ_studio.wording.language import said, spoken
 
 
 class FileCommands(SituationCommands):
@@ -193,6 +193,6 @@ class FileCommands(SituationCommands):
         try:
             what()
         except (SituError, OSError) as error:
-            self._window.dialogs.tell(str(error))
+            self._window.dialogs.tell(said(str(error)))
             return False
         return True

@@ -13,6 +13,7 @@ from situ.document.rbd import Always, Application, Event, State, Timeout
 from situ.document.spds import Declaration, Observed, Situation, Spds
 from situ_studio.edits import button_names, places
 from situ_studio.edits.edit import Document, Place
+from situ_studio.wording.language import tr
 
 _NAMES: dict[type, str] = {
     State: "no",
@@ -40,7 +41,7 @@ def set_field(
         return places.change(document, place, **{attribute: value}), place
     moved = (*place[:-1], value)
     if places.get(document, moved) is not None:
-        raise ValueError(f"{value} is taken already.")
+        raise ValueError(tr("{0} is taken already.").format(value))
     before = getattr(old, attribute)
     if isinstance(old, State) and isinstance(document, Application):
         return renumber(document, before, value), moved

@@ -11,6 +11,7 @@ from situ.document.project import Project
 from situ_studio.edits import mentions, places
 from situ_studio.edits.edit import Document
 from situ_studio.edits.mentions import Found, Mention, Role
+from situ_studio.wording.language import said, tr
 
 ROLES: tuple[Role, ...] = ("event", "tag", "module")
 """What can be renamed everywhere: states and situations are known in their own document only,
@@ -43,10 +44,10 @@ def rename(project: Project, every: list[Found], role: Role, old: str, new: str)
     rule = _TYPES[role].rule
     wrong = rule(new) if rule is not None else None
     if wrong is not None:
-        raise ValueError(f"The {role} {wrong}.")
+        raise ValueError(tr("The {0} {1}.").format(called(role), said(wrong)))
     known = mentions.tags(every, project)
     if any(_names(f.mention, role, new, known) for f in every):
-        raise ValueError(f"There is {_article(role)} {role} {new} already: choose another name.")
+        raise ValueError(_taken(role).format(new))
     found: dict[str, list[Mention]] = defaultdict(list)
     for one in every:
         if _names(one.mention, role, old, known):
@@ -59,8 +60,17 @@ def rename(project: Project, every: list[Found], role: Role, old: str, new: str)
     return Renamed(changed, sum(map(len, found.values())), left)
 
 
-def _article(role: Role) -> str:
-    return "an" if role == "event" else "a"
+def called(role: Role) -> str:
+    """What one of ``ROLES`` is called where a person reads it."""
+    return {"event": tr("event"), "tag": tr("tag"), "module": tr("module")}[role]
+
+
+def _taken(role: Role) -> str:
+    return {
+        "event": tr("There is an event {0} already: choose another name."),
+        "tag": tr("There is a tag {0} already: choose another name."),
+        "module": tr("There is a module {0} already: choose another name."),
+    }[role]
 
 
 def _names(mention: Mention, role: Role, name: str, known: frozenset[str]) -> bool:

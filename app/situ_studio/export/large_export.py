@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, Signal
 from situ_studio.edits.edit import Document
 from situ_studio.export.chosen_printer import ChosenPrinter
 from situ_studio.processes.worker import Worker, module
+from situ_studio.wording.language import said
 
 COMMAND = module("situ_studio.export.export_process")
 
@@ -91,8 +92,8 @@ class LargeExport(QObject):
         else:
             self.written.emit(self._end())
 
-    def _on_said(self, said: str) -> None:
-        self._said = (said.splitlines() or [self._said])[-1]
+    def _on_said(self, told: str) -> None:
+        self._said = (told.splitlines() or [self._said])[-1]
 
     def _on_gone(self) -> None:
         self._refuse(self._said or self.tr("its process ended early"))
@@ -106,4 +107,4 @@ class LargeExport(QObject):
             if printed
             else self.tr("{0} can not be drawn: {1}")
         )
-        self.refused.emit(words.format(wanted.out, why))
+        self.refused.emit(words.format(wanted.out, said(why)))

@@ -18,6 +18,7 @@ from situ.errors import UsageError
 from situ_studio.edits.edit import Document, Place
 from situ_studio.looks.theme import LIGHT
 from situ_studio.views.table import PIECES, Setting
+from situ_studio.wording.language import tr
 
 if TYPE_CHECKING:
     from situ_studio.canvas.base import Canvas
@@ -49,12 +50,14 @@ def paper(
     from situ_studio.canvas.paper import Paper
 
     if not has_picture(document):
-        raise UsageError("documents of this kind have no graph: choose an application or a script")
+        raise UsageError(
+            tr("documents of this kind have no graph: choose an application or a script")
+        )
     canvas = PIECES["graph"](Setting(document, LIGHT, None))
     made = Paper(canvas, document, like, only)
     if not canvas.graph.cards:
         made.close()
-        raise UsageError("there is nothing on the drawing yet")
+        raise UsageError(tr("there is nothing on the drawing yet"))
     return made
 
 
@@ -71,7 +74,8 @@ def format_of(path: str | Path) -> str:
     """``svg``, ``pdf`` or ``png``, by the name's ending; UsageError where it is another."""
     found = Path(path).suffix.lower().removeprefix(".")
     if found not in FORMATS:
-        raise UsageError(f"{path}: end the name of a picture with .svg, .pdf or .png")
+        told = tr("{0}: end the name of a picture with .svg, .pdf or .png")
+        raise UsageError(told.format(path))
     return found
 
 
@@ -99,7 +103,7 @@ def write(
     else:
         well = _write_png(drawn, made, title, area, scale)
     if not well:
-        raise UsageError(f"{path}: can not be drawn")
+        raise UsageError(tr("{0}: can not be drawn").format(path))
     folder.write(path, bytes(made.data().data()))
 
 
@@ -133,9 +137,8 @@ def _write_pdf(drawn: Paper, into: QIODevice, title: str, area: QRectF) -> bool:
 def _write_png(drawn: Paper, into: QIODevice, title: str, area: QRectF, scale: float) -> bool:
     wide, high = pixels(area, scale)
     if wide * high > MOST_PIXELS:
-        raise UsageError(
-            f"a picture of {wide} × {high} px is too large: choose a smaller scale, or SVG or PDF"
-        )
+        told = tr("a picture of {0} × {1} px is too large: choose a smaller scale, or SVG or PDF")
+        raise UsageError(told.format(wide, high))
     made = QImage(wide, high, QImage.Format.Format_RGB32)
     made.fill(Qt.GlobalColor.white)
     made.setDotsPerMeterX(round(SCREEN_DPI * scale / 0.0254))

@@ -86,7 +86,7 @@ class ConflictDialog(QDialog):
                 "Another program changed {0} while you did, partly the same things: "
                 "choose which one stays. Each choice is a step that Undo takes back."
             )
-        return text.format(found.file, found.unread)
+        return text.format(found.file, said(found.unread))
 
     def _side(self, sides: QHBoxLayout, title: str, changes: list[Change]) -> QListWidget:
         column = QVBoxLayout()

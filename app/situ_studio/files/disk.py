@@ -56,7 +56,7 @@ class DiskSide(QObject):
             else:
                 session.reconciling.keep_mine(file)
         except SituError as error:
-            window.dialogs.tell(str(error))
+            window.dialogs.tell(said(str(error)))
             return False
         if window.notice.about == file:
             window.notice.hide()
@@ -70,7 +70,7 @@ class DiskSide(QObject):
             "Not saved. {0}. Your changes stay here, and are kept for the next start too."
         )
         window.notice.ask(
-            text.format(str(error).rstrip(".")),
+            text.format(said(str(error)).rstrip(".")),
             (self.tr("Try again"), window.commands.save),
             (self.tr("Save a copy…"), window.commands.save_copy),
             about=UNSAVED,
@@ -96,7 +96,7 @@ class DiskSide(QObject):
             except SituError as error:
                 text = self.tr("Another program changed {0}, and it has errors now: {1}")
                 window.notice.ask(
-                    text.format(file, error),
+                    text.format(file, said(str(error))),
                     (self.tr("Keep mine"), lambda: session.reconciling.keep_mine(file)),
                     about=file,
                 )
@@ -157,7 +157,7 @@ class DiskSide(QObject):
         try:
             window.session.move(Path(path))
         except SituError as error:
-            window.dialogs.tell(str(error))
+            window.dialogs.tell(said(str(error)))
             self._on_gone()
 
     def _on_moved(self) -> None:

@@ -28,6 +28,7 @@ from situ_studio.panels.lists import PLACE
 from situ_studio.panels.project_tree import kind, stem
 from situ_studio.project.undo import Looking, Selection
 from situ_studio.views import showing
+from situ_studio.wording.language import said
 
 if TYPE_CHECKING:
     from situ_studio.window.main_window import MainWindow
@@ -168,7 +169,7 @@ class DocumentFiles(QObject):
         try:
             found = uses.uses(project, values(self._session, project), file)
         except UsageError as error:
-            self._window.say(str(error))
+            self._window.say(said(str(error)))
             return
         dialog = DeleteDocument(file, document, found, self._window)
         dialog.agreed.connect(partial(self._delete, file, document))

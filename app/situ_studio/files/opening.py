@@ -14,7 +14,7 @@ from situ.document import folder
 from situ.document.problem import Problem
 from situ.document.project import Project
 from situ.errors import SituError
-from situ_studio.wording.language import tr
+from situ_studio.wording.language import said, tr
 
 if TYPE_CHECKING:
     from situ_studio.window.main_window import MainWindow
@@ -73,7 +73,7 @@ class Opening(QObject):
         self._looks.stop()
         found = self._came.get()
         if isinstance(found, SituError):
-            self.refused.emit(str(found))
+            self.refused.emit(said(str(found)))
         elif isinstance(found, Exception):
             self.refused.emit("")
             raise found
@@ -130,7 +130,7 @@ class Reading(QObject):
         try:
             self._window.take_project(found, self._path)
         except (SituError, OSError) as error:
-            self._refused(self._window, str(error))
+            self._refused(self._window, said(str(error)))
 
     def _on_refused(self, why: str) -> None:
         self._work.end()

@@ -14,7 +14,7 @@ from situ_studio.edits import document_uses as uses
 from situ_studio.edits import mentions
 from situ_studio.edits.edit import Written, read
 from situ_studio.project.session import Session
-from situ_studio.wording.language import tr
+from situ_studio.wording.language import said, tr
 
 
 class ProposedNames:
@@ -57,7 +57,7 @@ class ProposedNames:
                 self._values = values(self._session, project)
             return uses.rename(project, self._values, self._index, file, new, own)
         except (UsageError, ValueError) as error:
-            return str(error)
+            return said(str(error))
 
     def _is_taken(self, new: str) -> bool:
         """Whether the project has such a file, or its folder, where letters' case may not count."""

@@ -24,6 +24,7 @@ from situ_studio.files.kept import Kept, Wanted
 from situ_studio.panels.notice import Notice
 from situ_studio.processes.worker import Worker, module
 from situ_studio.project.session import Session
+from situ_studio.wording.language import said
 
 _log = logging.getLogger("situ.studio")
 
@@ -112,7 +113,7 @@ class Recovery(QObject):
                 self._home.mkdir(parents=True, exist_ok=True)
                 self._file, self._lock = self._free(session.root)
         except OSError as error:
-            self._tell(str(error))
+            self._tell(said(str(error)))
             return None
         wanted = Wanted(self._file, str(session.root.resolve()), self._now(), values, gone)
         last = self._asked if self._worker.is_busy else self._kept
@@ -122,7 +123,7 @@ class Recovery(QObject):
         try:
             kept.write(wanted)
         except SituError as error:
-            self._tell(str(error))
+            self._tell(said(str(error)))
         else:
             self._kept, self._told = wanted, False
 

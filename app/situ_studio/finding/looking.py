@@ -133,7 +133,7 @@ class FindingSide(QObject):
     def _rename(self, role: Role, old: str) -> None:
         window, project = self._window, self._window.session.project
         title = self.tr("Rename everywhere")
-        label = self.tr("Another name for the {0} {1}").format(search.ROLES[role], old)
+        label = self.tr("Another name for the {0} {1}").format(renames.called(role), old)
         new = window.dialogs.name(title, label, old)
         if new is None or new == old or project is None:
             return
@@ -147,7 +147,7 @@ class FindingSide(QObject):
         selected = view.selected if view is not None else ()
         looking = view.call("looking") if view is not None else None
         first = {f: d for f, d in renamed.changed.items() if f == window.current_file}
-        text = self.tr("Rename {0} {1} to {2}").format(search.ROLES[role], old, new)
+        text = self.tr("Rename {0} {1} to {2}").format(renames.called(role), old, new)
         if not window.session.commit_all({**first, **renamed.changed}, text, selected, looking):
             window.say(self.tr("A document with errors mentions {0}: mend it first.").format(old))
             return

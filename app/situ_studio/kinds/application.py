@@ -132,7 +132,7 @@ STATE = Kind(
         _EVENTS,
         _MORE,
     ),
-    make=lambda name: rbd.State(no=name, name="new state"),
+    make=lambda name: rbd.State(no=name, name=tr("new state")),
     summary=lambda v: next((a.text for a in v.actions if isinstance(a, rbd.Speech)), ""),
     palette="application",
 )

@@ -26,7 +26,7 @@ from situ_studio.looks import icons
 from situ_studio.looks.letters import px
 from situ_studio.looks.theme import Theme
 from situ_studio.widgets.dialog_buttons import add_buttons
-from situ_studio.wording.language import tr
+from situ_studio.wording.language import said, tr
 
 NAME, ADDRESS, STANDING = range(3)
 
@@ -164,7 +164,7 @@ class ConnectDialog(QDialog):
         if robot is not None and robot.endpoint == self.address.text().strip():
             self.told.setText(_advice(robot.standing))
         elif self._nearby.failed:
-            why = self._nearby.failed
+            why = said(self._nearby.failed)
             self.told.setText(self.tr("Robots can not be looked for: {0}").format(why))
         elif not self._rows:
             self.told.setText(

@@ -51,7 +51,7 @@ def plan(
     try:
         files = deployable(project)
     except (UsageError, OSError) as error:
-        return Plan({}, "", (), (*hindrances, str(error)))
+        return Plan({}, "", (), (*hindrances, said(str(error))))
     files.update({file: data for file, data in unsaved.items() if file in files})
     main = PROJECT_FILE if project.toml is not None else next(iter(files))
     texts = {file: data.decode() for file, data in files.items() if file.endswith(_TEXTS)}

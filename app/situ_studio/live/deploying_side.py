@@ -14,6 +14,7 @@ from situ_studio.live import deploying_theirs, deploying_words
 from situ_studio.live.deploying import Deploying
 from situ_studio.live.deploying_dialog import DeployDialog
 from situ_studio.live.deploying_plan import Plan, plan
+from situ_studio.wording.language import said
 
 if TYPE_CHECKING:
     from situ_studio.window.main_window import MainWindow
@@ -82,7 +83,7 @@ class DeployingSide(QObject):
             deploying_theirs.keep(files, sent.media, Path(parent) / name)
             window.windows.show_project(Path(parent) / name)
         except UsageError as error:
-            window.dialogs.tell(str(error))
+            window.dialogs.tell(said(str(error)))
 
     def _plan(self) -> Plan | None:
         session, files = self._window.session, self._link.files

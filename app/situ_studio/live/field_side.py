@@ -123,7 +123,7 @@ class FieldSide(QObject):
         try:
             folder.write(path, text.getvalue().encode())
         except UsageError as error:
-            self._window.dialogs.tell(str(error))
+            self._window.dialogs.tell(said(str(error)))
         else:
             self._window.say(self.tr("Exported to {0}").format(path.name))
 

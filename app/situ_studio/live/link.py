@@ -23,7 +23,7 @@ from situ_studio.live.delay import Delays
 from situ_studio.live.link_state import LinkState
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
-from situ_studio.wording.language import tr
+from situ_studio.wording.language import said, tr
 
 if TYPE_CHECKING:
     from situ.blackboard.client import Call, Dialog
@@ -214,7 +214,7 @@ class RobotLink(QObject):
             try:
                 result = call.result()
             except BlackboardError as error:
-                told = partial(refused, str(error))
+                told = partial(refused, said(str(error)))
             else:
                 told = partial(answered, result)
             if isValid(asker):

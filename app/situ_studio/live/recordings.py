@@ -19,7 +19,7 @@ from situ.errors import UsageError
 from situ.rehearse import recorded
 from situ.rehearse.clock import Given
 from situ_studio.live.log import TraceLog
-from situ_studio.wording.language import tr
+from situ_studio.wording.language import said, tr
 
 SLICE = 0.012
 """Seconds of reading at a time."""
@@ -126,7 +126,7 @@ class ReadingRecording(QObject):
                         self._finish()
                         return
         except (UsageError, OSError, ValueError) as error:
-            self._refuse(str(error))
+            self._refuse(said(str(error)))
             return
         assert self._file is not None
         self.went_on.emit(min(self._file.tell() / self._size, 1.0))

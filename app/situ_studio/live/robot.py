@@ -27,6 +27,7 @@ from situ_studio.panels.authority import Authority
 from situ_studio.panels.blackboard import Blackboard
 from situ_studio.panels.trace import Trace
 from situ_studio.panels.trace_kinds import TraceKinds
+from situ_studio.wording.language import said
 
 if TYPE_CHECKING:
     from situ_studio.window.main_window import MainWindow
@@ -100,7 +101,7 @@ class RobotSide(QObject):
         try:
             self.connect_robot(chosen.endpoint, chosen.key)
         except SituError as error:
-            window.dialogs.tell(str(error))
+            window.dialogs.tell(said(str(error)))
 
     def connect_robot(self, endpoint: str, key: str = "") -> None:
         """As ``RobotLink.connect_robot``, with what it raises."""
@@ -137,7 +138,7 @@ class RobotSide(QObject):
         try:
             self.timeline.bookmarks.open(beside(recording.path))
         except UsageError as error:
-            self._window.dialogs.tell(str(error))
+            self._window.dialogs.tell(said(str(error)))
         if notice := recording.notice():
             self._window.say(notice)
         self.settle()

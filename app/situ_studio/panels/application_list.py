@@ -108,7 +108,7 @@ class ApplicationList(QObject):
             try:
                 found, problems = codec.read(self._session.disk.read(file), file)
             except UsageError as error:
-                window.say(str(error))
+                window.say(said(str(error)))
                 return
             errors = [said(one.message) for one in problems if one.severity == "error"]
             if errors:

@@ -26,6 +26,7 @@ from situ_studio.panels.twin_rows import (
     information_rows,
     script_rows,
 )
+from situ_studio.wording.language import tr
 
 AnyIndex = QModelIndex | QPersistentModelIndex
 
@@ -191,9 +192,9 @@ def read(attribute: str, value: Any) -> Any:
         try:
             seconds = float(str(value).replace("s", "").strip())
         except ValueError:
-            raise ValueError("Write seconds above 0.") from None
+            raise ValueError(tr("Write seconds above 0.")) from None
         if not seconds > 0:
-            raise ValueError("Write seconds above 0.")
+            raise ValueError(tr("Write seconds above 0."))
         return seconds
     if attribute == "priority":
         if str(value).strip() in ("", "none"):
@@ -201,7 +202,7 @@ def read(attribute: str, value: Any) -> Any:
         try:
             return int(str(value))
         except ValueError:
-            raise ValueError("Write a whole number, or nothing.") from None
+            raise ValueError(tr("Write a whole number, or nothing.")) from None
     if attribute in ("next", "extends"):
         return value
     return str(value or "").strip()

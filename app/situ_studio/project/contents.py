@@ -17,6 +17,7 @@ from situ.errors import UsageError
 from situ_studio.edits import project_documents
 from situ_studio.edits.edit import Document, Lines, Written, read
 from situ_studio.project.folder_watch import FolderWatch
+from situ_studio.wording.language import tr
 
 Taken = Callable[[str, Beside | None, Beside | None], None]
 """Told of a file beside the documents, what it was here, and what it is now."""
@@ -82,7 +83,7 @@ class Contents:
         """As ``value``. UsageError where there is none."""
         value = self.value(file)
         if value is None:
-            raise UsageError(f"{file} is no document of this project")
+            raise UsageError(tr("{0} is no document of this project").format(file))
         return value
 
     # -- what was read and saved -----------------------------------------------------

@@ -10,6 +10,7 @@ from situ.document.beginning import ENGLISH, begin, languages
 from situ.document.project import Project
 from situ.errors import UsageError
 from situ.resources import example, template
+from situ_studio.wording.language import tr
 
 
 def new_project(parent: Path, name: str, kind: str = "empty", language: str = ENGLISH) -> Path:
@@ -41,7 +42,7 @@ def copy_project(project: Project, texts: Mapping[str, bytes], parent: Path) -> 
     source = Path(project.root).resolve()
     target = _free(parent / source.name)
     if target.is_relative_to(source):
-        raise UsageError(f"{target}: is inside the project itself: name another folder")
+        raise UsageError(tr("{0} is inside the project itself: name another folder").format(target))
     if project.toml is not None and source.is_dir():
         return _copied(source, target)
     try:

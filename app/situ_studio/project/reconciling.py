@@ -64,7 +64,7 @@ class Reconciling:
         """
         found = self.differing(file)
         if found.theirs is None or found.both is None:
-            raise UsageError(found.unread or f"{file}: both changed the same thing")
+            raise UsageError(found.unread or tr("{0}: both changed the same thing").format(file))
         self._take(file, found.theirs, found.both, tr("Join {0} with disk").format(file))
 
     def keep_mine(self, file: str) -> None:
@@ -88,5 +88,5 @@ class Reconciling:
         if errors:
             raise UsageError(str(errors[0]))
         if document is None or not isinstance(document, type(self._session.contents.need(file))):
-            raise UsageError(f"{file}: of another kind now")
+            raise UsageError(tr("{0} is of another kind now").format(file))
         return document

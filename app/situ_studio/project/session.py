@@ -98,7 +98,7 @@ class Session(QObject):
     def contents(self) -> Contents:
         """The values of the open project. UsageError while none is open."""
         if self._contents is None:
-            raise UsageError("no project is open")
+            raise UsageError(tr("no project is open"))
         return self._contents
 
     @property
@@ -140,7 +140,9 @@ class Session(QObject):
     def take(self, project: Project | None, problems: list[Problem], path: str | Path) -> None:
         """Opens what ``folder.load`` found at ``path``; as ``open``."""
         if project is None:
-            raise UsageError(str(problems[0]) if problems else f"{path}: no project could be read")
+            raise UsageError(
+                str(problems[0]) if problems else tr("{0}: no project could be read").format(path)
+            )
         self._contents = contents = Contents(project, self.disk, self._on_taken)
         self._called = {}
         self._read_problems = problems
@@ -273,9 +275,8 @@ class Session(QObject):
         return self._saved_at
 
     def save(self) -> None:
-        """Writes every dirty document, canonically and atomically; see
-        ``Reconciling.conflicts`` first. Then
-        puts what was taken away into the waste basket.
+        """Writes every dirty document, canonically and atomically; see ``Reconciling.conflicts``
+        first. Then puts what was taken away into the waste basket.
 
         Raises UsageError where a file can not be written; those written before it count as saved,
         and nothing is thrown away.
@@ -286,7 +287,9 @@ class Session(QObject):
                 document = contents.need(file)
                 if self.is_incomplete(file):
                     raise UsageError(
-                        f"{file} is not saved: it has errors, and what they name would be lost"
+                        tr(
+                            "{0} is not saved: it has errors, and what they name would be lost"
+                        ).format(file)
                     )
                 if beside.language_of(file) is not None:
                     (self.root / file).parent.mkdir(exist_ok=True)
@@ -360,7 +363,8 @@ class Session(QObject):
         """
         for file in self.files:
             if self.is_incomplete(file):
-                raise UsageError(f"{file} has errors: mend them first, or they would be lost")
+                lost = tr("{0} has errors: mend them first, or they would be lost")
+                raise UsageError(lost.format(file))
         contents = self.contents
         documents = {file: contents.need(file) for file in contents.every}
         target = projects.copy_project(contents.project, contents.texts, parent)
@@ -388,7 +392,7 @@ class Session(QObject):
         """
         project, problems = folder.load(root)
         if project is None:
-            raise UsageError(str(problems[0]) if problems else f"{root}: no project")
+            raise UsageError(str(problems[0]) if problems else tr("{0}: no project").format(root))
         contents = self.contents
         contents.project = replace(contents.project, root=project.root)
         self._called = {}

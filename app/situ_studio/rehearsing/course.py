@@ -24,6 +24,7 @@ from situ.rehearse.simulate import Rehearsal
 from situ_studio.live.clock_seen import is_clock
 from situ_studio.live.log import TraceLog
 from situ_studio.live.moment import TraceFields
+from situ_studio.wording.language import tr
 
 MILLISECOND = SECOND // 1000
 USUAL = 2 * SECOND
@@ -59,7 +60,7 @@ class Pending(Struct, frozen=True):
         """The input that ends it, well or badly. result: what a service answers."""
         if ok:
             return inputs.Finish(self.action, self.name, self.application, result=result)
-        error = "it failed in the rehearsal"
+        error = tr("it failed in the rehearsal")
         return inputs.Finish(self.action, self.name, self.application, ok=False, error=error)
 
 

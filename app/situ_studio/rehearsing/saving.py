@@ -24,6 +24,7 @@ from situ_studio.rehearsing.choices import Choices
 from situ_studio.rehearsing.course import Course
 from situ_studio.rehearsing.expecting import Chance, chances, written
 from situ_studio.widgets.dialog_buttons import add_buttons
+from situ_studio.wording.language import said
 
 
 class SavingScenario(QDialog):
@@ -105,7 +106,7 @@ class SavingScenario(QDialog):
             self._home.mkdir(parents=True, exist_ok=True)
             folder.write(self._file, written(self._course, self.expected))
         except (OSError, UsageError) as error:
-            self.why.setText(str(error))
+            self.why.setText(said(str(error)))
             return
         self.saved.emit(self._file)
         self.accept()

@@ -17,6 +17,7 @@ from situ_studio.processes.working import Work
 from situ_studio.rehearsing.painting import painted
 from situ_studio.rehearsing.scenario_run import Ran, ScenarioRun
 from situ_studio.rehearsing.scenarios_panel import ScenariosPanel, failed_words
+from situ_studio.wording.language import said
 
 if TYPE_CHECKING:
     from situ_studio.window.main_window import MainWindow
@@ -50,7 +51,7 @@ class ScenariosSide(QObject):
         try:
             files = scenarios(project)
         except UsageError as error:
-            window.dialogs.tell(str(error))
+            window.dialogs.tell(said(str(error)))
             return
         self._drop()
         root, changed = Path(project.root).resolve(), window.session.contents.scenarios

@@ -21,6 +21,7 @@ from situ_studio.screens import media_import
 from situ_studio.screens.media_picker import MediaPicker, names_data
 from situ_studio.screens.media_rows import IMPORT
 from situ_studio.screens.state_screen import lying
+from situ_studio.wording.language import said
 
 if TYPE_CHECKING:
     from situ_studio.window.main_window import MainWindow
@@ -141,7 +142,7 @@ class ChoosingMedia(QObject):
         try:
             src = media_import.bring(project, file, endings)
         except UsageError as error:
-            self._window.say(str(error))
+            self._window.say(said(str(error)))
             return None
         self._window.pages.settle_media(src)
         return src

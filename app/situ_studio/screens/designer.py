@@ -42,6 +42,7 @@ from situ_studio.screens.strip import StateStrip
 from situ_studio.screens.walk import Walk
 from situ_studio.widgets.breadcrumbs import Breadcrumbs
 from situ_studio.widgets.layouts import rule
+from situ_studio.wording.language import said
 
 SAY = ("text", "button")
 """Components whose words come first."""
@@ -260,13 +261,13 @@ class Designer(QWidget):
             try:
                 template = self._own.brought(template, project)
             except UsageError as error:
-                self.status.emit(str(error))
+                self.status.emit(said(str(error)))
                 return
         had = self.shown.screen is not None and self.shown.screen.components
         after = templates.applied(application, place, template)
         where = words.place_words(application, place)
-        said = self.tr("Template {0} for {1}").format(templates.title(template.name), where)
-        self.edited.emit(after, said)
+        told = self.tr("Template {0} for {1}").format(templates.title(template.name), where)
+        self.edited.emit(after, told)
         self.go_to(place)
         self.sheet.setFocus()
         if had:
@@ -298,7 +299,7 @@ class Designer(QWidget):
             try:
                 self._own.remove(name)
             except UsageError as error:
-                self.status.emit(str(error))
+                self.status.emit(said(str(error)))
                 return
             self.side.templates.show_own(self._own.all())
             self.status.emit(self.tr("Template {0} is removed.").format(name))
@@ -387,7 +388,7 @@ class Designer(QWidget):
         try:
             src = bring(project)
         except UsageError as error:
-            self.status.emit(str(error))
+            self.status.emit(said(str(error)))
             return
         self.shown.add(kind, (x, y), src=src)
 

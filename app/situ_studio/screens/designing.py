@@ -12,6 +12,7 @@ from situ.errors import UsageError
 from situ_studio.edits.edit import Place
 from situ_studio.screens.devices import USUAL
 from situ_studio.screens.own_templates import OwnTemplates
+from situ_studio.wording.language import said
 
 if TYPE_CHECKING:
     from situ_studio.screens.designer import Designer
@@ -81,7 +82,7 @@ class DesigningSide(QObject):
         try:
             designer.keep_template(name)
         except UsageError as error:
-            self._window.say(str(error))
+            self._window.say(said(str(error)))
 
     def leave(self) -> None:
         """The panels are where they are without a designer."""

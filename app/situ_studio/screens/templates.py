@@ -24,7 +24,7 @@ def templates() -> dict[str, rbd.State]:
     path = resource(*FILE)
     document, problems = codec.read(path.read_bytes(), str(path))
     if not isinstance(document, rbd.Application) or problems:
-        raise UsageError(f"{path} is damaged: install situ again")
+        raise UsageError(tr("{0} is damaged: install situ again").format(path))
     return {state.name: state for state in document.states}
 
 

@@ -44,7 +44,7 @@ class Exchange(QObject):
         try:
             folder.write(path, made.data)
         except UsageError as error:
-            window.dialogs.tell(str(error))
+            window.dialogs.tell(said(str(error)))
             return
         left = made.texts - made.translated
         window.say(

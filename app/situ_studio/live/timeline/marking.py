@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 from situ.errors import UsageError
 from situ_studio.live.timeline.bookmarks import Bookmark, Bookmarks
 from situ_studio.live.timeline.chart import TimelineChart
+from situ_studio.wording.language import said
 
 Ask = Callable[[str], str | None]
 """Asks a person for a name, with the usual one; None: nobody wants it."""
@@ -62,4 +63,4 @@ class Marking(QObject):
         try:
             change()
         except UsageError as error:
-            self.refused.emit(str(error))
+            self.refused.emit(said(str(error)))
