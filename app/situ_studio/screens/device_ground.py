@@ -40,7 +40,8 @@ class DeviceGround(QWidget):
         self._sheet = sheet
         self._device = USUAL
         self._dots: QPixmap | None = None
-        self._lit = QRect()
+        self.lit = QRect()
+        """Where the device shows something, in px of the ground."""
         sheet.setParent(self)
         self.rulers = Ruler("x", theme, self), Ruler("y", theme, self)
         self.setMinimumSize(px(200), px(160))
@@ -78,13 +79,13 @@ class DeviceGround(QWidget):
             MOST,
         )
         wide = max(80, int(device.wide * scale))
-        self._lit = QRect(0, 0, wide, wide * device.high // device.wide)
-        self._lit.moveCenter(room.center())
+        self.lit = QRect(0, 0, wide, wide * device.high // device.wide)
+        self.lit.moveCenter(room.center())
         # What lies on a screen that is very high does not fill it.
         shared = layer(QSize(device.wide, device.high))
         high = int(wide * shared.height() / shared.width())
         self._sheet.setFixedSize(wide, high)
-        self._sheet.move(self._lit.x(), self._lit.y() + (self._lit.height() - high) // 2)
+        self._sheet.move(self.lit.x(), self.lit.y() + (self.lit.height() - high) // 2)
         self._zoom.setText(self.tr("{0} %").format(round(self.zoom * 100)))
         self._zoom.adjustSize()
         self._zoom.move(self.width() - self._zoom.width() - 12, self.height() - 20)
@@ -110,7 +111,7 @@ class DeviceGround(QWidget):
         painter.fillRect(self.rect(), QBrush(self._dotted()))
         painter.fillRect(0, 0, px(WIDE), px(WIDE), self._theme.color("card"))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        lit = QRectF(self._lit)
+        lit = QRectF(self.lit)
         rim = max(7, round(lit.width() * RIM))
         frame = lit.adjusted(-rim, -rim, rim, rim)
         painter.setPen(Qt.PenStyle.NoPen)

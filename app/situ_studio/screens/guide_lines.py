@@ -5,12 +5,12 @@ The mouse goes through it: what lies under it on the screen is taken first (``gu
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QLineF, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QLineF, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from situ_studio.looks.letters import px
-from situ_studio.looks.theme import CAPTION, Theme, font
+from situ_studio.looks.theme import CAPTION, LIGHT, Theme, font
 from situ_studio.screens.guides import Guide
 from situ_studio.screens.keyboard import ARROWS, DELETE
 
@@ -33,6 +33,7 @@ class GuideLine(QWidget):
         self._theme = theme
         self.guide = Guide("x", 0.0)
         self.dragged = False
+        self._lit = QRect()
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleDescription(
@@ -49,6 +50,12 @@ class GuideLine(QWidget):
         if guide.axis == "y":
             words = self.tr("Lying guide at {0} %")
         self.setAccessibleName(words.format(f"{guide.at:g}"))
+        self.update()
+
+    def lie(self, geometry: QRect, lit: QRect) -> None:
+        """Where it lies, and where the robot's screen does, both in its parent."""
+        self.setGeometry(geometry)
+        self._lit = lit.translated(-geometry.topLeft())
         self.update()
 
     # -- keys ----------------------------------------------------------------------------
@@ -99,6 +106,11 @@ class GuideLine(QWidget):
         if not upright:
             whole = QLineF(0, middle.y(), self.width(), middle.y())
         painter.drawLine(whole)
+        # The robot's screen is light in both themes.
+        painter.setClipRect(self._lit)
+        painter.setPen(QPen(LIGHT.color("guides"), painter.pen().width()))
+        painter.drawLine(whole)
+        painter.setClipping(False)
         if told:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setFont(font(CAPTION, 600))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, QRect, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
@@ -111,10 +111,11 @@ class Guiding(QObject):
             guide = line.guide
             if guide.axis == "x":
                 middle = sheet.left() + sheet.width() * guide.at / 100
-                line.setGeometry(round(middle) - wide // 2, room.top(), wide, room.height())
+                place = QRect(round(middle) - wide // 2, room.top(), wide, room.height())
             else:
                 middle = sheet.top() + sheet.height() * guide.at / 100
-                line.setGeometry(room.left(), round(middle) - wide // 2, room.width(), wide)
+                place = QRect(room.left(), round(middle) - wide // 2, room.width(), wide)
+            line.lie(place, self._ground.lit)
             line.setVisible(not self._sheet.isHidden())
             line.raise_()
 

@@ -14,6 +14,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from tests.gui.test_adding_to_a_project import open_menu
+from tests.gui.test_tables import contrast
 
 from situ.document import codec
 from situ.document.aside import NOTHING
@@ -21,7 +22,7 @@ from situ.document.export import deployable
 from situ.document.folder import load
 from situ.document.rbd import Application
 from situ_studio.looks import letters
-from situ_studio.looks.theme import LIGHT
+from situ_studio.looks.theme import DARK, LIGHT, Theme
 from situ_studio.screens import guides
 from situ_studio.screens.guides import Guide
 
@@ -285,6 +286,36 @@ def test_the_place_of_a_guide_is_read_whole_in_large_letters_too(drawing: Drawin
     assert len(inked) > 10
     assert inked[0] > 0
     assert inked[-1] < seen.width() - 1
+
+
+@pytest.mark.parametrize("colours", [LIGHT, DARK], ids=lambda one: one.name)
+def test_a_guide_is_seen_on_the_robot_s_screen_and_on_the_ground_in_both_themes(
+    drawing: Drawing, colours: Theme
+) -> None:
+    used, sheet, ground = drawing.used, drawing.sheet, drawing.ground
+    document = used.session.document("reception.rbd.xml")
+    both = (Guide("x", 33.3), Guide("y", 97.3))
+    used.session.commit("reception.rbd.xml", guides.put(document, both), "Guides")
+    used.window.set_theme(colours)
+    used.settle()
+    upright, lying = (line.geometry().center() for line in drawing.designer.guiding.lines)
+    seen = ground.grab().toImage()
+    ratio = seen.devicePixelRatio()
+
+    def told(x: float, y: float, across: int, down: int) -> float:
+        """How far the line there differs from what is beside it."""
+        beside = seen.pixelColor(round((x + 5 * across) * ratio), round((y + 5 * down) * ratio))
+        on = (
+            seen.pixelColor(round((x + by * across) * ratio), round((y + by * down) * ratio))
+            for by in (-1, 0, 1)
+        )
+        return max(contrast(colour, beside) for colour in on)
+
+    free = sheet.geometry()
+    assert told(upright.x(), free.bottom() - 3, 1, 0) >= 3
+    assert told(upright.x(), ground.room.bottom() - 3, 1, 0) >= 3
+    assert told(free.left() + 3, lying.y(), 0, 1) >= 3
+    assert told(ground.room.right() - 3, lying.y(), 0, 1) >= 3
 
 
 def test_components_are_drawn_to_guides_which_no_robot_gets(drawing: Drawing) -> None:
