@@ -76,7 +76,12 @@ def test_an_edit_is_told_to_files_and_commands_once(
 
     def count(what: type, name: str) -> None:
         there = getattr(what, name)
-        monkeypatch.setattr(what, name, lambda one: (told.append(name), there(one)))
+
+        def counted(one: object) -> None:
+            told.append(name)
+            there(one)
+
+        monkeypatch.setattr(what, name, counted)
 
     count(PanelsSide, "settle_files")
     count(Actions, "refresh")
