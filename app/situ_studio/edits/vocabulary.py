@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import compress, count
 from operator import is_not
 from typing import Any
@@ -16,7 +16,6 @@ from situ.document.project import Project
 from situ.document.rbd import Application
 from situ.document.spds import DataType, Observed, Spds
 from situ_studio.edits.edit import Document
-from situ_studio.screens.media_import import names_of
 
 
 class Vocabulary(Struct, frozen=True):
@@ -151,9 +150,13 @@ def _called(part: rbd.State | rbd.Always) -> tuple[str, str]:
 
 
 class Lexicon:
-    """Makes vocabularies of successive values of a project; only what changed is read anew."""
+    """Makes vocabularies of successive values of a project; only what changed is read anew.
 
-    def __init__(self) -> None:
+    media: the files of a project's media, for whoever completes them.
+    """
+
+    def __init__(self, media: Callable[[Project], tuple[str, ...]] = lambda _: ()) -> None:
+        self._media = media
         self._read: list[_Read] = []
         self._project: Project | None = None
         self._document: Document | None = None
@@ -192,7 +195,7 @@ class Lexicon:
             resources=tuple(sorted(resources)),
             situations=tuple(s.name for s in script.situations) if script is not None else (),
             modules=tuple(sorted({*project.declared(), *_names(project)})),
-            media=names_of(project),
+            media=self._media(project),
             data=known_data(project, script.observe if script is not None else ()),
         )
 

@@ -46,6 +46,7 @@ from situ_studio.rehearsing.scenarios_side import ScenariosSide
 from situ_studio.rehearsing.side import RehearsingSide
 from situ_studio.screens.choosing_media import ChoosingMedia
 from situ_studio.screens.designing import DesigningSide
+from situ_studio.screens.media_import import names_of
 from situ_studio.views.document_view import DocumentView
 from situ_studio.views.showing import keep as keep_shown
 from situ_studio.views.showing import recall, show_beside
@@ -90,7 +91,7 @@ class MainWindow(Frame):
         """What becomes of unsaved changes was asked already: it closes without another word."""
         self.session = session
         session.setParent(self)
-        self._lexicon = Lexicon()
+        self._lexicon = Lexicon(names_of)
         self.dialogs: Dialogs = Dialogs(self)
         home = Path(settings.fileName()).parent / "recovery"
         self.recovery = Recovery(session, home, self.recovered)

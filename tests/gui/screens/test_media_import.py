@@ -113,7 +113,7 @@ def test_what_came_into_a_project_without_a_media_folder_is_shown_and_offered(
     for home in (setting.media(), subject.media):
         assert media_pictures.picture(home, src) is not None
         assert media_pictures.picture(home, "beside.png") is not None
-    offered = Lexicon().vocabulary(project, application).media
+    offered = Lexicon(media_import.names_of).vocabulary(project, application).media
     assert offered == ("beside.png", "media/beside.png")
 
 
