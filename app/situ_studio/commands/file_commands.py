@@ -143,7 +143,7 @@ class FileCommands(SituationCommands):
             return
         title = self.tr("Where shall the folder for the robot be?")
         parent = window.dialogs.new_folder(self._home(), title)
-        if parent is None or self._session.project is None:
+        if parent is None:
             return
         output = Path(parent) / f"{self._session.root.name}-robot"
         if self._try(lambda: write_out(deployable(load_ready(self._session.root)), output)):
