@@ -85,7 +85,6 @@ class ScreenBeside(QScrollArea):
         """Takes a new value, of which ``select`` says what is shown."""
         self._shown.show_document(application, problems)
         self.sheet.guides = guides.of(application)
-        self.sheet.update()
 
     def select(self, selected: tuple[Place, ...]) -> None:
         """Shows the screen of the first of these that has one, as it is now."""

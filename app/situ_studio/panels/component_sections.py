@@ -49,7 +49,7 @@ class ComponentSection(QWidget):
 
 
 class EdgeButtons(QWidget):
-    """A row of buttons. pressed: an edge, as ``placing.aligned`` has it."""
+    """A row of buttons. pressed: an edge, as ``screens.placing.aligned`` has it."""
 
     pressed = Signal(str)
 
@@ -106,7 +106,7 @@ class AlignRow(ComponentSection):
 class AlignSeveral(QWidget):
     """Of several components that are selected: aligned among themselves, or spread evenly.
 
-    asked: an edge, as ``placing.aligned`` has it.
+    asked: an edge, as ``screens.placing.aligned`` has it.
     """
 
     asked = Signal(str)

@@ -45,7 +45,7 @@ class Inspector(QWidget):
     """As ``Form.kind_asked``."""
     refused = Signal(str)
     align_asked = Signal(str)
-    """How the selected components shall lie, as ``placing.aligned`` has it."""
+    """How the selected components shall lie, as ``screens.placing.aligned`` has it."""
     file_asked = Signal(tuple, str)
     """As ``Form.file_asked``."""
     usages_asked = Signal()
