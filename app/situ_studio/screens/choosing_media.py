@@ -168,7 +168,8 @@ class ChoosingMedia(QObject):
         made = replace(places.get(after, place), **{kind.file: src})
         project = self._window.session.project
         if isinstance(made, rbd.Component) and project is not None:
-            made = lying(made, media_import.home_of(project), middle)
+            sheet = self._window.commands.components.sheet
+            made = lying(made, media_import.home_of(project), middle, sheet)
         after = places.put(after, place, made)
         self._window.commit(after, text)
         if middle is None:

@@ -17,14 +17,20 @@ from situ_studio.edits.edit import Place
 from situ_studio.looks.theme import Theme
 from situ_studio.screens import placing
 from situ_studio.screens.devices import USUAL
+from situ_studio.screens.drags import Held, Moving
 from situ_studio.screens.media_pictures import picture
 from situ_studio.screens.problem_marks import Told, by_screen
 from situ_studio.screens.sheet import Sheet
 from situ_studio.screens.shown import Values
 
 
-def lying(made: rbd.Component, media: Path | None, at: tuple[float, float] | None) -> rbd.Component:
-    """A new component with its middle there, or where it is; a picture in its own shape."""
+def lying(
+    made: rbd.Component, media: Path | None, at: tuple[float, float] | None, sheet: Sheet | None
+) -> rbd.Component:
+    """A new component with its middle there, or where it is; a picture in its own shape.
+
+    sheet: of the screen, on which it is drawn to guides and edges as one that is moved.
+    """
     box = placing.box_of(made)
     if at is not None:
         box = placing.centred(box, *at)
@@ -33,6 +39,9 @@ def lying(made: rbd.Component, media: Path | None, at: tuple[float, float] | Non
         size = shown.whole().size()
         of_screen = USUAL.high / USUAL.wide
         box = placing.shaped(box, size.width() / size.height() * of_screen)
+    if at is not None and sheet is not None:
+        box = box._replace(x=at[0] - box.width / 2, y=at[1] - box.height / 2)
+        box = Moving({"": box}, sheet.others(()), sheet.guides).at(0.0, 0.0, Held()).boxes[""]
     return replace(made, **box._asdict())
 
 
@@ -188,7 +197,7 @@ class StateScreen(QObject):
             self.status.emit(str(refused))
             return None
         made = replace(places.get(after, place), **fields)
-        after = places.put(after, place, lying(made, self.media, at))
+        after = places.put(after, place, lying(made, self.media, at, self.sheet))
         self.edited.emit(after, text)
         self.sheet.choose(place[-1:])
         return place

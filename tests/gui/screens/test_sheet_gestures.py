@@ -11,6 +11,7 @@ from PySide6.QtTest import QTest
 from situ_studio.edits import places
 from situ_studio.screens import marks
 from situ_studio.screens.devices import DEVICES
+from situ_studio.screens.guides import Guide
 from situ_studio.screens.hand import Hand
 from situ_studio.screens.placing import around, box_of
 
@@ -173,6 +174,23 @@ def test_a_component_dropped_on_a_state_without_a_screen_makes_its_screen_in_one
     assert [c.element for c in made.components] == ["text"]
     page.undo()
     assert page.document == before
+
+
+def test_a_component_that_is_dropped_is_drawn_to_guides_and_edges_as_one_that_is_moved(
+    page: Page,
+) -> None:
+    page.commit(places.change(page.document, ("state", "11", "screen", "robot"), x=30.37))
+    page.settle()
+    assert page.drop("button", page.at(50, 50))
+    wide = page.components[-1].width
+    page.undo()
+    assert page.drop("button", page.at(30.37 + 0.45 + wide / 2, 50))
+    assert page.components[-1].x == 30.37
+    page.undo()
+    page.sheet.guides = (Guide("x", 47.63),)
+    assert page.drop("button", page.at(47.2, 41.7))
+    made = page.components[-1]
+    assert made.x + made.width / 2 == pytest.approx(47.63, abs=0.01)
 
 
 @pytest.mark.parametrize("id", ["question", "robot", "goodbye"])
