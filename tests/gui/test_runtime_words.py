@@ -103,6 +103,12 @@ def test_what_stands_between_things_is_said_in_the_user_s_language_names_are_not
     assert words.said(f"States {listed} wait") == f"⟨States {said} wait⟩"
 
 
+def test_what_stands_between_resources_is_said_in_the_user_s_language() -> None:
+    words = RuntimeWords(["{0} asks for {1}", "{0} goes on"], lambda text: f"⟨{text}⟩")
+    said = words.said("wash and dry asks for screen, speech and head")
+    assert said == "⟨wash and dry asks for screen⟨, ⟩speech⟨ and ⟩head⟩"
+
+
 def test_a_language_without_a_template_leaves_its_english() -> None:
     words = RuntimeWords(["state {0} added"], lambda text: text)
     assert words.said("state 5 added") == "state 5 added"

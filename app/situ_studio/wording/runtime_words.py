@@ -31,6 +31,8 @@ LISTING = re.compile(r", | and | or ")
 """What ``words.listed`` puts between things."""
 THINGS = (re.compile(r"\d+ .+"), re.compile(r'“[^“”]*”|"[^"]*"'), TAG)
 """What it lists, all of a kind: states by number and name, what a person wrote, tags."""
+RESOURCES = re.compile(r"(?:asks for|gives back|not hold|declare \{\d\}, only) \{(\d)\}")
+"""Where templates have a list of resources: their names look like any other words."""
 DEEPEST = 6
 
 
@@ -70,7 +72,7 @@ class RuntimeWords:
             for template, values in self._fitting(text):
                 meant = self._translate(template.text)
                 if meant != template.text:
-                    return self._filled(meant, values, depth)
+                    return self._filled(meant, self._with_lists(template, values), depth)
             for glue in GLUE:
                 first, found, rest = text.partition(glue)
                 if found:
@@ -87,6 +89,16 @@ class RuntimeWords:
 
     def _filled(self, meant: str, values: tuple[str, ...], depth: int) -> str:
         return HOLE.sub(lambda hole: self.said(values[int(hole[1])], depth + 1), meant)
+
+    def _with_lists(self, template: _Template, values: tuple[str, ...]) -> tuple[str, ...]:
+        """The values, with what joins those that are resources in the user's language."""
+        lists = {int(hole[1]) for hole in RESOURCES.finditer(template.text)}
+        return tuple(
+            LISTING.sub(lambda joint: self._translate(joint[0]), one)
+            if index in lists and all(" " not in name for name in LISTING.split(one))
+            else one
+            for index, one in enumerate(values)
+        )
 
     def _fitting(self, text: str) -> Iterator[tuple[_Template, tuple[str, ...]]]:
         for one in self._templates:
