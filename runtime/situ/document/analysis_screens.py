@@ -209,9 +209,11 @@ class _Boxes:
         else:
             why = f"{ids} {lies} over the whole of it, so it is never seen"
         outside = next((one for one in uppers if one.screen != box.screen), None)
-        if outside is not None:
-            where = "" if outside.file == box.file else f" of {outside.file}"
-            why += f" (part of every state{where}, and above what a state itself shows)"
+        if outside is not None and outside.file == box.file:
+            why = f"{why} (part of every state, and above what a state itself shows)"
+        elif outside is not None:
+            of = outside.file
+            why = f"{why} (part of every state of {of}, and above what a state itself shows)"
         message = f"{_called(box)} is covered: {why}; move them apart, or take one away"
         self._search.warn(
             box.file,
