@@ -16,8 +16,8 @@ SOURCES = Path(situ_studio.__file__).parent
 SENTENCE = re.compile(r"[A-Za-z]{2,}[,:;.!?]? +[A-Za-z“({]|\}[,:;.]? +[a-z]{2,}")
 """Two words in a row, or one beside a value."""
 HOLE = re.compile(r"\{\d*\}")
-STYLE = re.compile(r"[\w-]+: [^;]+;|\{\s*[\w-]+:|<\w+ \w+=|::")
-"""Sheets of style, and marks around what is shown."""
+STYLE = re.compile(r"\(\?|[\w-]+: [^;]+;|\{\s*[\w-]+:|<\w+ \w+=|::")
+"""Sheets of style, marks around what is shown, and patterns."""
 TOLD = {"tr", "translated", "say", "said", "translate"}
 """Whoever asks the translators."""
 QUIET = {"debug", "info", "warning", "error", "exception", "setObjectName"}
