@@ -201,14 +201,18 @@ class _Boxes:
         ids = words.listed([words.quoted(one.component.id) for one in uppers[:3]])
         if len(uppers) > 3:
             ids += f" and {len(uppers) - 3} more"
-        lies = "lies" if len(uppers) == 1 else "lie"
+        # Whole sentences, for translators.
         if box.touch:
-            why = f"{ids} {lies} over it, and a touch there does not reach it"
+            one = f"{ids} lies over it, and a touch there does not reach it"
+            many = f"{ids} lie over it, and a touch there does not reach it"
         elif box.words:
-            why = f"{ids} {lies} over it, so it cannot be read"
+            one = f"{ids} lies over it, so it cannot be read"
+            many = f"{ids} lie over it, so it cannot be read"
         else:
-            why = f"{ids} {lies} over the whole of it, so it is never seen"
-        outside = next((one for one in uppers if one.screen != box.screen), None)
+            one = f"{ids} lies over the whole of it, so it is never seen"
+            many = f"{ids} lie over the whole of it, so it is never seen"
+        why = one if len(uppers) == 1 else many
+        outside = next((upper for upper in uppers if upper.screen != box.screen), None)
         if outside is not None and outside.file == box.file:
             why = f"{why} (part of every state, and above what a state itself shows)"
         elif outside is not None:
