@@ -5,7 +5,7 @@
 # make soak   the faults, long and often, with figures; SITU_SEED=N chooses other ones
 # make fuzz   damaged files of each kind, SECONDS=60 long
 # make pictures  makes the reference pictures of the studio anew: look at each, then commit
-# make tutorial  makes the pictures of docs/tutorial.md anew
+# make tutorial  makes the pictures of docs/tutorial.md and tutorial.ja.md anew
 # make bare   what a robot gets, without Qt, in an environment of its own: installed and run
 # make format rewrites the code's layout;  make clean removes what was made here
 

@@ -42,7 +42,8 @@ def test_an_installed_wheel_carries_resources_and_examples(tmp_path: Path) -> No
     script = (
         "from situ.resources import resource, examples, templates, tutorial; import situ_studio;"
         "print(resource('icons')); print(*examples().values(), *templates().values(), sep='\\n');"
-        "print(tutorial(), len(list(tutorial().with_suffix('').glob('*.png'))))"
+        "print(tutorial(), len(list(tutorial().with_suffix('').rglob('*.png'))));"
+        "print(tutorial('ja').name)"
     )
     shown = subprocess.run(
         [sys.executable, "-I", "-c", f"import sys; sys.path.insert(0, 'site'); {script}"],
@@ -53,7 +54,8 @@ def test_an_installed_wheel_carries_resources_and_examples(tmp_path: Path) -> No
     ).stdout.splitlines()
     package = tmp_path / "site" / "situ"
     assert shown[0] == str(package / "_resources" / "icons")
-    pictures = len(list((ROOT / "docs" / "tutorial").glob("*.png")))
+    pictures = len(list((ROOT / "docs" / "tutorial").rglob("*.png")))
+    assert shown.pop() == "tutorial.ja.md"
     assert shown.pop() == f"{package / '_docs' / 'tutorial.md'} {pictures}"
     assert shown[1:] == [
         *(str(package / "_examples" / name) for name in resources.examples()),

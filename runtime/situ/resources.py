@@ -40,12 +40,15 @@ def example(name: str) -> Path:
     return known[name]
 
 
-def tutorial() -> Path:
-    """The tutorial's page, its pictures in the folder of the same name beside it.
+def tutorial(language: str = "en") -> Path:
+    """The tutorial's page in a language, in English where there is none in it; its pictures lie
+    in a folder beside it.
 
     Raises UsageError where it does not exist: the installation is incomplete.
     """
-    path = _root("docs") / "tutorial.md"
+    path = _root("docs") / f"tutorial.{language}.md"
+    if not path.exists():
+        path = path.with_name("tutorial.md")
     if not path.exists():
         raise UsageError(f"{path} is missing: the installation is incomplete, install situ again")
     return path

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QInputMethodEvent
+from PySide6.QtGui import QInputMethodEvent, QTextDocument
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from tests.gui.conftest import Studio
@@ -71,6 +71,20 @@ def test_a_project_is_begun_in_the_language_that_is_spoken(
     assert project.languages == ("ja",)
     (state,) = project.applications["my-robot.rbd.xml"].states
     assert state.name == "はじめ"
+
+
+def test_the_tutorial_is_in_the_language_that_is_spoken(studio: Callable[..., Studio]) -> None:
+    japanese = choose(studio(), "日本語")
+    japanese.click(japanese.window.welcome.tutorial)
+    window = japanese.window.helping.tutorial
+    assert window is not None
+    assert window.title.text() == "血圧を測るロボット"
+    told = "".join(step.text for step in window.steps)
+    pictures = re.findall(r"\((tutorial/\S+)\)", told)
+    image = QTextDocument.ResourceType.ImageResource.value
+    assert pictures
+    for one in pictures:
+        assert not window.pages.loadResource(image, one).isNull(), one
 
 
 def test_what_follows_is_asked_found_and_named_in_the_language_that_is_spoken(

@@ -20,6 +20,7 @@ from situ_studio.help.help_topics import HELP, Topic, command_topic, topics
 from situ_studio.help.help_window import CONTENTS, HelpWindow
 from situ_studio.help.tutorial import TutorialWindow
 from situ_studio.views.document_view import DocumentView
+from situ_studio.wording.language import spoken
 
 if TYPE_CHECKING:
     from situ_studio.window.main_window import MainWindow
@@ -86,7 +87,8 @@ class HelpSide(QObject):
         """Shows the tutorial, at the step where one left off."""
         window = self._window
         if self.tutorial is None:
-            self.tutorial = TutorialWindow(tutorial(), window.theme, window.settings, window)
+            page = tutorial(spoken())
+            self.tutorial = TutorialWindow(page, window.theme, window.settings, window)
         self.tutorial.show()
         self.tutorial.raise_()
         self.tutorial.activateWindow()

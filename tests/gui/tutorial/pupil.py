@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtGui import QInputMethodEvent, QPainter
 from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import (
@@ -20,6 +21,7 @@ from PySide6.QtWidgets import (
 from tests.gui.drawing.draughtsman import Draughtsman
 from tests.gui.test_looks import without_mouse
 from tests.gui.test_newcomer import CONTROL
+from tests.gui.tutorial.in_japanese import TEXTS, WORDS
 from tests.gui.tutorial.small import keep
 
 from situ_studio.rehearsing.robot_screen import RobotScreen
@@ -32,10 +34,14 @@ PATIENCE = 20_000
 class Pupil(Draughtsman):
     """``written``: what the tutorial has to say for a person to do the same: each text that was
     typed and each name that was pressed, in the current step; ``looked``: its pictures.
+
+    language: of the studio, and of the tutorial. other: the one that the robot learns.
     """
 
-    def __init__(self, window: Any, pictures: Path | None) -> None:
+    def __init__(self, window: Any, pictures: Path | None, language: str) -> None:
         super().__init__(window)
+        self.other = "en" if language == "ja" else "ja"
+        self._words: Mapping[str, str] = WORDS if language == "ja" else {}
         self.written: list[str] = []
         self.looked: list[str] = []
         self._pictures = pictures
@@ -79,13 +85,27 @@ class Pupil(Draughtsman):
 
     # -- counted ------------------------------------------------------------------------
 
+    def here(self, word: str) -> str:
+        """What the English tutorial says, as this one does."""
+        return self._words.get(word, word)
+
+    def there(self, text: str) -> str:
+        """What the robot says, in its other language."""
+        return TEXTS[text] if self.other == "ja" else text
+
+    def widget(self, name: str, kind: type[QWidget] = QWidget) -> QWidget:
+        return super().widget(self.here(name), kind)
+
+    def drawn(self, name: str) -> QRect:
+        return super().drawn(self.here(name))
+
     def drag_new(self, source: str, target: str) -> None:
         with self._counts(2):
             self.click_card(source)
             self.drag(self.plus(source), self.drawn(target).center())
 
     def click(self, name: str, kind: type[QWidget] = QWidget) -> None:
-        self.written.append(name)
+        self.written.append(self.here(name))
         super().click(name, kind)
 
     def press(self, name: str) -> None:
@@ -93,9 +113,13 @@ class Pupil(Draughtsman):
         self.click(name, QAbstractButton)
 
     def type(self, text: str, end: Qt.Key | None = Qt.Key.Key_Return) -> None:
+        text = self.here(text)
         with self._counts(1, text):
-            for letter in text:
-                QTest.keyClicks(self.hears(), letter)
+            for letters in re.findall(r"[ -~]|[^ -~]+", text):
+                if letters.isascii():
+                    QTest.keyClicks(self.hears(), letters)
+                else:
+                    self._commit(letters)
                 self.settle()
             if end is not None:
                 self.key(end)
@@ -103,28 +127,33 @@ class Pupil(Draughtsman):
     def compose(self, text: str) -> None:
         """Through an input method, as Japanese is typed."""
         with self._counts(1, text):
-            done = QInputMethodEvent()
-            done.setCommitString(text)
-            QApplication.sendEvent(self.hears(), done)
+            self._commit(text)
             self.key(Qt.Key.Key_Return)
 
+    def _commit(self, text: str) -> None:
+        done = QInputMethodEvent()
+        done.setCommitString(text)
+        QApplication.sendEvent(self.hears(), done)
+
     def write_into(self, name: str, text: str) -> None:
-        with self._counts(3, name, text):
+        with self._counts(3, self.here(name), self.here(text)):
             super().write_into(name, text)
 
     def write_over(self, name: str, text: str) -> None:
         """The same, in a field of several lines."""
-        with self._counts(3, name, text):
+        with self._counts(3, self.here(name), self.here(text)):
             self.click(name, QPlainTextEdit)
             self.key(Qt.Key.Key_A, CONTROL)
             self.type(text, Qt.Key.Key_Tab)
 
     def pick(self, box: str, choice: str) -> None:
+        choice = self.here(choice)
         with self._counts(2, choice):
             super().pick(box, choice)
 
     def menu(self, name: str, entry: str) -> None:
-        with self._counts(2, name, entry):
+        entry = self.here(entry)
+        with self._counts(2, self.here(name), entry):
             super().menu(name, entry)
 
     def answer(self, text: str) -> None:
@@ -133,7 +162,7 @@ class Pupil(Draughtsman):
         super().answer(text)
 
     def run(self, command: str) -> None:
-        with self._counts(2, command):
+        with self._counts(2, self.here(command)):
             super().run(command)
 
     def follow(self, card: str, by: QPoint, name: str) -> None:
@@ -153,6 +182,7 @@ class Pupil(Draughtsman):
 
     def open_in_tree(self, name: str, which: int = 0) -> None:
         """A row of the project tree, of those that are called so."""
+        name = self.here(name)
         tree = self.widget("Project", QTreeView)
         assert isinstance(tree, QTreeView)
         how = Qt.MatchFlag.MatchExactly | Qt.MatchFlag.MatchRecursive
@@ -171,6 +201,7 @@ class Pupil(Draughtsman):
 
     def touch(self, words: str) -> None:
         """What has these words on the screen of the rehearsed robot."""
+        words = self.here(words)
         shown = self.widget("The robot's screen", RobotScreen)
         assert isinstance(shown, RobotScreen)
         target = next(one for one in shown.targets if one.words == words)

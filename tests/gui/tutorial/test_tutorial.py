@@ -1,4 +1,5 @@
-"""docs/tutorial.md: whoever does what it says has a robot that measures, and no problem is left.
+"""docs/tutorial.md, and docs/tutorial.ja.md in Japanese: whoever does what it says has a robot that
+measures, and no problem is left.
 
 ``make tutorial`` makes its pictures anew.
 """
@@ -13,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QApplication, QFileDialog
 from tests.gui.test_newcomer import situ
 from tests.gui.tutorial.pupil import Pupil
@@ -24,12 +26,16 @@ DOCS = Path(__file__).resolve().parents[3] / "docs"
 ANEW = bool(os.environ.get("SITU_PICTURES"))
 GESTURES = 180
 """Of five seconds each: a quarter of an hour."""
+FILES = {"en": "tutorial.md", "ja": "tutorial.ja.md"}
+PICTURES = {"en": "tutorial", "ja": "tutorial/ja"}
 SEEN = {
     "Speech Hello": "Speech",
+    "発話 こんにちは": "発話",
     "What Service measure answers": "its answer",
+    "サービス measure の答え": "答え",
 }
 """What is seen of what a screen reader says."""
-LARGEST = 60_000
+LARGEST = 64_000
 """Bytes of a picture."""
 MEASURED = {"systolic": 121, "diastolic": 79}
 
@@ -42,9 +48,9 @@ def nothing_blinks(qt: QApplication) -> Iterator[None]:
     qt.setCursorFlashTime(before)
 
 
-def sections() -> dict[str, str]:
+def sections(language: str) -> dict[str, str]:
     """Of the tutorial, by their headings, in their order."""
-    text = (DOCS / "tutorial.md").read_text(encoding="utf-8")
+    text = (DOCS / FILES[language]).read_text(encoding="utf-8")
     _, *every = re.split(r"^## ", text, flags=re.MULTILINE)
     return {one.partition("\n")[0]: one.partition("\n")[2] for one in every}
 
@@ -55,22 +61,28 @@ def missing(words: list[str], section: str) -> set[str]:
     return {word for word in words if SEEN.get(word, word) not in plain}
 
 
+@pytest.mark.parametrize("language", FILES)
 def test_the_steps_of_the_tutorial_make_a_robot_that_measures(
-    studio: Callable[..., Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    studio: Callable[..., Any],
+    settings: QSettings,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    language: str,
 ) -> None:
+    settings.setValue("language", language)
     window = studio().window
     window.dialogs = Dialogs(window)
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
-    me = Pupil(window, DOCS / "tutorial" if ANEW else None)
-    told = sections()
+    me = Pupil(window, DOCS / PICTURES[language] if ANEW else None, language)
+    told = sections(language)
     # The last section is done in a terminal.
     assert len(told) == len(STEPS) + 1
     for number, (step, heading) in enumerate(zip(STEPS, told, strict=False), start=1):
-        assert heading == f"{number}. {step.__doc__}"
+        assert heading == f"{number}. {me.here(step.__doc__ or '')}"
         me.written, me.looked = [], []
         step(me)
         assert not missing(me.written, told[heading]), f"section {heading}"
-        pictures = re.findall(r"!\[[^]]+\]\(tutorial/([\w-]+)\.png\)", told[heading])
+        pictures = re.findall(r"!\[[^]]+\]\(tutorial/(?:ja/)?([\w-]+)\.png\)", told[heading])
         assert pictures == me.looked, f"section {heading}"
     assert me.gestures <= GESTURES
     me.widget("0 errors")
@@ -84,7 +96,7 @@ def test_the_steps_of_the_tutorial_make_a_robot_that_measures(
     assert tested.returncode == 0, tested.stdout
     script = tmp_path / "lower.jsonl"
     lines: list[dict[str, Any]] = [
-        {"at": 6, "use": {"component": "start"}},
+        {"at": 6, "use": {"component": me.here("START").lower()}},
         {"at": 9, "finish": {"action": "service", "name": "measure", "result": MEASURED}},
         {"at": 9, "expect": {"kind": "enter", "state": "3"}},
         {"at": 70, "expect": {"kind": "enter", "state": "1"}},
@@ -92,11 +104,16 @@ def test_the_steps_of_the_tutorial_make_a_robot_that_measures(
     script.write_text("".join(json.dumps(line) + "\n" for line in lines), encoding="utf-8")
     played = situ("simulate", str(folder), "--script", str(script))
     assert played.returncode == 0, played.stderr
-    assert "Your blood pressure is 121 over 79. That is good." in played.stdout
+    said = me.here("Your blood pressure is {bp.systolic} over {bp.diastolic}. That is good.")
+    for tag, value in MEASURED.items():
+        said = said.replace(f"{{bp.{tag}}}", str(value))
+    assert said in played.stdout
 
 
-def test_every_picture_of_the_tutorial_is_shown_in_it_and_small() -> None:
-    shown = set(re.findall(r"\(tutorial/([\w-]+\.png)\)", "".join(sections().values())))
-    kept = {file.name: file.stat().st_size for file in (DOCS / "tutorial").iterdir()}
+@pytest.mark.parametrize("language", FILES)
+def test_every_picture_of_the_tutorial_is_shown_in_it_and_small(language: str) -> None:
+    folder = PICTURES[language]
+    shown = set(re.findall(rf"\({folder}/([\w-]+\.png)\)", "".join(sections(language).values())))
+    kept = {file.name: file.stat().st_size for file in (DOCS / folder).glob("*.png")}
     assert shown == set(kept)
     assert [name for name, size in kept.items() if size > LARGEST] == []
