@@ -48,6 +48,14 @@
         <translation>新しいイベントの行き先へドラッグしてください</translation>
     </message>
     <message>
+        <source>leads to state {0}, which does not exist</source>
+        <translation>行き先の状態 {0} がありません</translation>
+    </message>
+    <message>
+        <source>stays in the state</source>
+        <translation>この状態にとどまります</translation>
+    </message>
+    <message>
         <source>start</source>
         <translation>開始</translation>
     </message>
@@ -290,6 +298,10 @@
     <message>
         <source>since {0}</source>
         <translation>{0} から</translation>
+    </message>
+    <message>
+        <source>new state</source>
+        <translation>新しい状態</translation>
     </message>
     <message>
         <source>{0} s</source>
@@ -732,6 +744,22 @@
         <translation>{0} から始める</translation>
     </message>
     <message>
+        <source>Put {0} card on the grid</source>
+        <translation>カード {0} 枚をグリッドに揃える</translation>
+    </message>
+    <message>
+        <source>Put {0} cards on the grid</source>
+        <translation>カード {0} 枚をグリッドに揃える</translation>
+    </message>
+    <message>
+        <source>Distribute {0} cards</source>
+        <translation>カード {0} 枚を等間隔に並べる</translation>
+    </message>
+    <message>
+        <source>Align {0} cards</source>
+        <translation>カード {0} 枚を揃える</translation>
+    </message>
+    <message>
         <source>the frame {0}</source>
         <translation>枠 {0}</translation>
     </message>
@@ -861,7 +889,7 @@
     </message>
     <message>
         <source>“In every state”</source>
-        <translation>「どの状態でも」</translation>
+        <translation>「すべての状態」</translation>
     </message>
     <message>
         <source>Rename {0}</source>
@@ -1416,6 +1444,10 @@
         <translation>整列している間にカードが変わりました。もう一度整列してください</translation>
     </message>
     <message>
+        <source>Arrange all cards</source>
+        <translation>すべてのカードを整列</translation>
+    </message>
+    <message>
         <source>Select two states to connect</source>
         <translation>つなぐ状態を二つ選んでください</translation>
     </message>
@@ -1469,7 +1501,7 @@
     </message>
     <message>
         <source>any</source>
-        <translation>いずれか</translation>
+        <translation>どれか</translation>
     </message>
     <message>
         <source>{0} would be the last, and the last must always hold: first add one below</source>
@@ -1485,7 +1517,7 @@
     </message>
     <message>
         <source>until</source>
-        <translation>終了条件</translation>
+        <translation>終了</translation>
     </message>
     <message>
         <source>{0} tests</source>
@@ -2384,6 +2416,10 @@
         <translation>警告</translation>
     </message>
     <message>
+        <source>{0} is damaged: install situ again</source>
+        <translation>{0} が壊れています。situ をもう一度インストールしてください</translation>
+    </message>
+    <message>
         <source>Two answers</source>
         <translation>二つの答え</translation>
     </message>
@@ -3200,8 +3236,16 @@
         <translation>ディスク上の {0} を使う</translation>
     </message>
     <message>
+        <source>{0}: both changed the same thing</source>
+        <translation>{0}：両方で同じ所が変更されています</translation>
+    </message>
+    <message>
         <source>Join {0} with disk</source>
         <translation>{0} をディスクと統合</translation>
+    </message>
+    <message>
+        <source>{0} is of another kind now</source>
+        <translation>{0} は別の種類の文書になっています</translation>
     </message>
     <message>
         <source>at the left edge of the screen</source>
@@ -3272,20 +3316,100 @@
         <translation>{0} というファイルがもうあります。別の名前にしてください。</translation>
     </message>
     <message>
+        <source>The {0} {1}.</source>
+        <translation>この{0}{1}。</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>イベント</translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation>タグ</translation>
+    </message>
+    <message>
+        <source>There is an event {0} already: choose another name.</source>
+        <translation>{0} というイベントがもうあります。別の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>There is a tag {0} already: choose another name.</source>
+        <translation>{0} というタグがもうあります。別の名前にしてください。</translation>
+    </message>
+    <message>
         <source>There is a module {0} already: choose another name.</source>
         <translation>{0} というモジュールがもうあります。別の名前にしてください。</translation>
     </message>
     <message>
-        <source>Label of {0}</source>
-        <translation>{0} の表示名</translation>
-    </message>
-    <message>
-        <source>Choice of {0}</source>
-        <translation>{0} の選択肢</translation>
+        <source>Setting {0}</source>
+        <translation>設定 {0}</translation>
     </message>
     <message>
         <source>Choices differ from each other, and have no comma in them.</source>
         <translation>選択肢は互いに異なり、コンマを含みません。</translation>
+    </message>
+    <message>
+        <source>{0} is taken already.</source>
+        <translation>{0} はもう使われています。</translation>
+    </message>
+    <message>
+        <source>documents of this kind have no graph: choose an application or a script</source>
+        <translation>この種類の文書にはグラフがありません。アプリケーションかスクリプトを選んでください</translation>
+    </message>
+    <message>
+        <source>there is nothing on the drawing yet</source>
+        <translation>図にはまだ何もありません</translation>
+    </message>
+    <message>
+        <source>{0}: end the name of a picture with .svg, .pdf or .png</source>
+        <translation>{0}：画像の名前は .svg、.pdf、.png のどれかで終わるようにしてください</translation>
+    </message>
+    <message>
+        <source>{0}: can not be drawn</source>
+        <translation>{0}：描けません</translation>
+    </message>
+    <message>
+        <source>a picture of {0} × {1} px is too large: choose a smaller scale, or SVG or PDF</source>
+        <translation>{0} × {1} px の画像は大きすぎます。倍率を下げるか、SVG か PDF を選んでください</translation>
+    </message>
+    <message>
+        <source>Write seconds above 0.</source>
+        <translation>0 より大きい秒数を入力してください。</translation>
+    </message>
+    <message>
+        <source>Write a whole number, or nothing.</source>
+        <translation>整数を入力するか、空にしてください。</translation>
+    </message>
+    <message>
+        <source>{0} is no document of this project</source>
+        <translation>{0} はこのプロジェクトの文書ではありません</translation>
+    </message>
+    <message>
+        <source>{0} is inside the project itself: name another folder</source>
+        <translation>{0} はプロジェクト自身の中です。別のフォルダーを指定してください</translation>
+    </message>
+    <message>
+        <source>no project is open</source>
+        <translation>プロジェクトが開かれていません</translation>
+    </message>
+    <message>
+        <source>{0}: no project could be read</source>
+        <translation>{0}：プロジェクトを読めませんでした</translation>
+    </message>
+    <message>
+        <source>{0} is not saved: it has errors, and what they name would be lost</source>
+        <translation>{0} は保存されていません。誤りがあり、そこに挙げたものが失われます</translation>
+    </message>
+    <message>
+        <source>{0} has errors: mend them first, or they would be lost</source>
+        <translation>{0} に誤りがあります。失われないように、先に直してください</translation>
+    </message>
+    <message>
+        <source>{0}: no project</source>
+        <translation>{0}：プロジェクトではありません</translation>
+    </message>
+    <message>
+        <source>it failed in the rehearsal</source>
+        <translation>リハーサルで失敗させました</translation>
     </message>
 </context>
 <context>
@@ -5361,7 +5485,7 @@ Draw what a robot says, shows and does.</source>
     </message>
     <message>
         <source>In every state</source>
-        <translation>すべての状態で</translation>
+        <translation>すべての状態</translation>
     </message>
     <message>
         <source>Not used</source>
@@ -7246,6 +7370,10 @@ Draw what a robot says, shows and does.</source>
         <translation>発話</translation>
     </message>
     <message>
+        <source>The state, or the setting, in which the text stands.</source>
+        <translation>この文がある状態、または設定です。</translation>
+    </message>
+    <message>
         <source>Where</source>
         <translation>場所</translation>
     </message>
@@ -7262,16 +7390,8 @@ Draw what a robot says, shows and does.</source>
         <translation>{0}、{2} 件中 {1} 件</translation>
     </message>
     <message>
-        <source>Settings</source>
-        <translation>設定</translation>
-    </message>
-    <message>
         <source>In every state</source>
-        <translation>すべての状態で</translation>
-    </message>
-    <message>
-        <source>The state in which the text stands.</source>
-        <translation>文字のある状態。</translation>
+        <translation>すべての状態</translation>
     </message>
     <message>
         <source>What says it or shows it there.</source>
@@ -7759,7 +7879,7 @@ Draw what a robot says, shows and does.</source>
     </message>
     <message>
         <source>Found nearby, or by its address</source>
-        <translation>近くで見つけるか、アドレスで</translation>
+        <translation>近くで見つけるか、アドレスを指定</translation>
     </message>
     <message>
         <source>Recent</source>
@@ -7824,7 +7944,7 @@ A right click or the down key gives other values.</source>
     </message>
     <message>
         <source>no situation looks at data yet</source>
-        <translation>データを見る状況がまだありません</translation>
+        <translation>まだどの状況もデータを見ていません</translation>
     </message>
     <message>
         <source>Suppose nothing</source>
@@ -11623,10 +11743,6 @@ A right click or the down key gives other values.</source>
         <translation>ほか {0} 件</translation>
     </message>
     <message>
-        <source> of {0}</source>
-        <translation>（{0}）</translation>
-    </message>
-    <message>
         <source> or </source>
         <translation>または</translation>
     </message>
@@ -12483,10 +12599,6 @@ A right click or the down key gives other values.</source>
         <translation>前の状態に戻る</translation>
     </message>
     <message>
-        <source> (part of every state{0}, and above what a state itself shows)</source>
-        <translation>（すべての状態に共通{0}で、状態自身の表示の上に重なります）</translation>
-    </message>
-    <message>
         <source> of every state</source>
         <translation>（すべての状態）</translation>
     </message>
@@ -12991,14 +13103,6 @@ A right click or the down key gives other values.</source>
         <translation>時間切れに行き先を付けるか、この名前のイベントを加えてください</translation>
     </message>
     <message>
-        <source>lie</source>
-        <translation>が</translation>
-    </message>
-    <message>
-        <source>lies</source>
-        <translation>が</translation>
-    </message>
-    <message>
         <source>list</source>
         <translation>一覧</translation>
     </message>
@@ -13499,6 +13603,14 @@ A right click or the down key gives other values.</source>
         <translation>あなたが {0} を {1} にする</translation>
     </message>
     <message>
+        <source>{0} (part of every state of {1}, and above what a state itself shows)</source>
+        <translation>{0}（{1} のすべての状態に共通の部分で、状態自身が表示するものより上にあります）</translation>
+    </message>
+    <message>
+        <source>{0} (part of every state, and above what a state itself shows)</source>
+        <translation>{0}（すべての状態に共通の部分で、状態自身が表示するものより上にあります）</translation>
+    </message>
+    <message>
         <source>{0} and was taken</source>
         <translation>{0}。そのとおり進みました</translation>
     </message>
@@ -13689,6 +13801,30 @@ A right click or the down key gives other values.</source>
     <message>
         <source>{0} lets {1} {2}</source>
         <translation>{0} が {1} に {2} をさせる</translation>
+    </message>
+    <message>
+        <source>{0} lie over it, and a touch there does not reach it</source>
+        <translation>{0} が重なっていて、そこに触れても届きません</translation>
+    </message>
+    <message>
+        <source>{0} lie over it, so it cannot be read</source>
+        <translation>{0} が重なっていて、読めません</translation>
+    </message>
+    <message>
+        <source>{0} lie over the whole of it, so it is never seen</source>
+        <translation>{0} が全体に重なっていて、見えません</translation>
+    </message>
+    <message>
+        <source>{0} lies over it, and a touch there does not reach it</source>
+        <translation>{0} が重なっていて、そこに触れても届きません</translation>
+    </message>
+    <message>
+        <source>{0} lies over it, so it cannot be read</source>
+        <translation>{0} が重なっていて、読めません</translation>
+    </message>
+    <message>
+        <source>{0} lies over the whole of it, so it is never seen</source>
+        <translation>{0} が全体に重なっていて、見えません</translation>
     </message>
     <message>
         <source>{0} loses {1}, nobody holds it</source>
@@ -14237,18 +14373,6 @@ A right click or the down key gives other values.</source>
     <message>
         <source>{0} {1} gone, was {2}</source>
         <translation>{0} {1} を削除（前は {2}）</translation>
-    </message>
-    <message>
-        <source>{0} {1} over it, and a touch there does not reach it</source>
-        <translation>{0} が{1}重なっていて、そこに触れても届きません</translation>
-    </message>
-    <message>
-        <source>{0} {1} over it, so it cannot be read</source>
-        <translation>{0} が{1}重なっていて、読めません</translation>
-    </message>
-    <message>
-        <source>{0} {1} over the whole of it, so it is never seen</source>
-        <translation>{0} が{1}全体に重なっていて、見えません</translation>
     </message>
     <message>
         <source>{0} {1}{2} gone</source>
