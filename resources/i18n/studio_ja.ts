@@ -7902,12 +7902,28 @@ Draw what a robot says, shows and does.</source>
         <translation>質問と答え</translation>
     </message>
     <message>
-        <source>Screens, a way home, a timeout</source>
-        <translation>画面、最初への戻り道、時間切れ</translation>
+        <source>Ask, wait, thank</source>
+        <translation>たずねて、待って、お礼</translation>
+    </message>
+    <message>
+        <source>Main menu</source>
+        <translation>メインメニュー</translation>
+    </message>
+    <message>
+        <source>Services to choose from</source>
+        <translation>サービスを選ぶ画面</translation>
+    </message>
+    <message>
+        <source>Medication reminder</source>
+        <translation>薬のお知らせ</translation>
+    </message>
+    <message>
+        <source>Once a day, else a nurse</source>
+        <translation>一日一度、または看護師へ</translation>
     </message>
     <message>
         <source>Modules that share a robot</source>
-        <translation>ロボットを分け合うモジュール</translation>
+        <translation>ロボットの分け合い</translation>
     </message>
     <message>
         <source>Situations, priorities, a stop</source>

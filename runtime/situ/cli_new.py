@@ -13,7 +13,8 @@ def add(commands: Any) -> None:
         help="a project to start from",
         description="Makes a project that runs as it is, with a scenario that tests it, named "
         "after its folder. Templates: empty, one application of one state; reception, screens "
-        "with a question, a way home and a timeout; conversation, an application and two modules "
+        "with a question, a way home and a timeout; menu, services to choose from; reminder, a "
+        "medication that is asked for once a day; conversation, an application and two modules "
         "that share a robot by situations.",
     )
     parser.add_argument("folder", type=Path, metavar="DIR", help="a new or an empty folder")

@@ -16,6 +16,7 @@ from situ.document import codec
 from situ.document.beginning import PLACEHOLDER, begin, languages, project_name
 from situ.document.check import check
 from situ.document.folder import load
+from situ.document.texts_shown import has_words
 from situ.document.texts_table import rows
 from situ.errors import UsageError
 from situ.resources import template, templates
@@ -24,7 +25,7 @@ Captured = pytest.CaptureFixture[str]
 
 
 def test_there_are_templates() -> None:
-    assert list(templates()) == ["conversation", "empty", "reception"]
+    assert list(templates()) == ["conversation", "empty", "menu", "reception", "reminder"]
 
 
 @pytest.mark.parametrize("language", ["en", "ja"])
@@ -63,7 +64,7 @@ def test_begun_in_another_language_nothing_is_left_of_english(kind: str, tmp_pat
     project, _ = load(target)
     assert project is not None
     (application,) = project.applications.values()
-    said = [row.text for row in rows(project)]
+    said = [row.text for row in rows(project) if has_words(row.text)]
     notes = re.findall(r"<!--.*?-->", "".join(f.read_text() for f in target.glob("*.xml")))
     described = (
         [one.description or "" for one in project.modules.modules] if project.modules else []
@@ -117,7 +118,9 @@ def test_without_a_template_it_is_the_empty_one(
 
 def test_an_unknown_template_names_those_there_are(tmp_path: Path, capsys: Captured) -> None:
     assert main(["new", str(tmp_path / "a"), "--template", "recepton"]) == 2
-    said = "situ: no template 'recepton'; there are: conversation, empty, reception\n"
+    said = (
+        "situ: no template 'recepton'; there are: conversation, empty, menu, reception, reminder\n"
+    )
     assert capsys.readouterr().err == said
     assert not (tmp_path / "a").exists()
 

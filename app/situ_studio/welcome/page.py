@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 
 from PySide6.QtCore import QRectF, Qt, Signal
@@ -73,6 +74,8 @@ class Welcome(QScrollArea):
         self._theme = theme
         self.pictures = SmallPictures(self, project_picture)
         self._cards: list[ExampleCard] = []
+        self._choices: list[Choice] = []
+        """The templates."""
         self.setAccessibleName(self.tr("Welcome"))
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -98,6 +101,8 @@ class Welcome(QScrollArea):
         body.addLayout(self._start())
         body.addLayout(self._examples_side(), 1)
         column.addLayout(body)
+        column.addSpacing(24)
+        column.addLayout(self._templates_below())
         column.addStretch(1)
         column.addSpacing(24)
         foot = QHBoxLayout()
@@ -219,24 +224,29 @@ class Welcome(QScrollArea):
         self._examples = QGridLayout()
         self._examples.setSpacing(GAP)
         column.addLayout(self._examples)
-        column.addSpacing(24)
-        column.addLayout(self._templates())
         column.addStretch(1)
         return column
 
-    def _templates(self) -> QVBoxLayout:
+    def _templates_below(self) -> QVBoxLayout:
         column = QVBoxLayout()
         column.setSpacing(8)
         column.addLayout(self._heading(self.tr("New from a template")))
-        row = QHBoxLayout()
-        row.setSpacing(GAP)
+        self._templates = QGridLayout()
+        self._templates.setSpacing(GAP)
         # All of resources/templates but the empty one, which is the new project above.
         for name, icon, title, below in (
             (
                 "reception",
                 "screen",
                 self.tr("Question and answers"),
-                self.tr("Screens, a way home, a timeout"),
+                self.tr("Ask, wait, thank"),
+            ),
+            ("menu", "list", self.tr("Main menu"), self.tr("Services to choose from")),
+            (
+                "reminder",
+                "timeout",
+                self.tr("Medication reminder"),
+                self.tr("Once a day, else a nurse"),
             ),
             (
                 "conversation",
@@ -250,8 +260,9 @@ class Welcome(QScrollArea):
             card.setObjectName(f"template {name}")
             card.pressed.connect(partial(self.template_asked.emit, name))
             card.take_all_room()
-            row.addWidget(card, 1)
-        column.addLayout(row)
+            self._choices.append(card)
+            self._templates.addWidget(card)
+        column.addLayout(self._templates)
         return column
 
     # -- contents ------------------------------------------------------------------
@@ -262,20 +273,17 @@ class Welcome(QScrollArea):
         self._cards = [ExampleCard(self._theme, one) for one in examples]
         for one, card in zip(examples, self._cards, strict=True):
             card.pressed.connect(partial(self.example_asked.emit, one.name))
-        self._place_examples()
+        self._place_cards()
 
-    def _place_examples(self) -> None:
+    def _place_cards(self) -> None:
         """As many side by side as have room."""
-        room = min(self.viewport().width() - 2 * EDGE, px(MOST)) - px(START) - 2 * GAP
-        many = max(1, min(len(self._cards), (room + GAP) // (px(NARROWEST) + GAP)))
-        for at, card in enumerate(self._cards):
-            self._examples.addWidget(card, at // many, at % many)
-        for column in range(len(self._cards)):
-            self._examples.setColumnStretch(column, int(column < many))
+        room = min(self.viewport().width() - 2 * EDGE, px(MOST))
+        _place(self._examples, self._cards, room - px(START) - 2 * GAP)
+        _place(self._templates, self._choices, room)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._place_examples()
+        self._place_cards()
 
     def example(self, name: str) -> Press:
         """The card of an example; LookupError where there is none."""
@@ -321,3 +329,12 @@ class Welcome(QScrollArea):
         self._theme = self.recent.theme = theme
         for picture in self.findChildren(Picture):
             picture.set_theme(theme)
+
+
+def _place(grid: QGridLayout, cards: Sequence[QWidget], room: int) -> None:
+    """Puts cards into a grid of so many px: as many side by side as have room."""
+    many = max(1, min(len(cards), (room + GAP) // (px(NARROWEST) + GAP)))
+    for at, card in enumerate(cards):
+        grid.addWidget(card, at // many, at % many)
+    for column in range(len(cards)):
+        grid.setColumnStretch(column, int(column < many))
