@@ -229,7 +229,11 @@ class Studio:
 
     def click(self, widget: QWidget, at: QPoint | None = None) -> None:
         assert widget.isVisible(), f"{widget} can not be seen"
-        QTest.mouseClick(widget, LEFT, pos=at if at is not None else widget.rect().center())
+        spot = at if at is not None else widget.rect().center()
+        QTest.mousePress(widget, LEFT, pos=spot)
+        # What a menu that it opened has made of the form may have deleted it.
+        if shiboken6.isValid(widget):
+            QTest.mouseRelease(widget, LEFT, pos=spot)
         self.settle()
 
     def click_row(self, view: QAbstractItemView, index: QModelIndex, double: bool = False) -> None:

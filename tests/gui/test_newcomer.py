@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import shiboken6
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, QTimer
 from PySide6.QtGui import QAccessible, QColor, QInputMethodEvent
 from PySide6.QtTest import QTest
@@ -154,7 +155,10 @@ class Person:
     def click_at(self, spot: QPoint) -> None:
         widget, at = self._at(spot)
         QTest.mouseMove(widget, at)
-        QTest.mouseClick(widget, LEFT, pos=at)
+        QTest.mousePress(widget, LEFT, pos=at)
+        # What a menu that it opened has made of the form may have deleted it.
+        if shiboken6.isValid(widget):
+            QTest.mouseRelease(widget, LEFT, pos=at)
         self.settle()
 
     def click(self, name: str, kind: type[QWidget] = QWidget) -> None:
