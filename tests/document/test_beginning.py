@@ -79,6 +79,16 @@ def test_begun_in_another_language_nothing_is_left_of_english(kind: str, tmp_pat
     } - {"texts"}
 
 
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_the_media_of_a_template_come_along_as_they_are(tmp_path: Path, language: str) -> None:
+    whole, picture = tmp_path / "whole", b"\x89PNG\r\n\x1a\n\xff\xfe"
+    shutil.copytree(template("empty"), whole)
+    (whole / "media").mkdir()
+    (whole / "media" / "robot.png").write_bytes(picture)
+    begin(whole, tmp_path / "robot", "robot", language)
+    assert (tmp_path / "robot" / "media" / "robot.png").read_bytes() == picture
+
+
 def test_a_language_that_a_template_does_not_have_is_refused_with_those_it_has(
     tmp_path: Path, capsys: Captured
 ) -> None:

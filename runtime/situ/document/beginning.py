@@ -91,10 +91,11 @@ def _copy(template: Path, target: Path, name: str, language: str) -> None:
             continue
         place = target / path.replace(PLACEHOLDER, name)
         place.parent.mkdir(parents=True, exist_ok=True)
-        text = file.read_bytes().decode()
+        # A picture is no text.
+        data = file.read_bytes()
         for old, new in instead.items():
-            text = text.replace(old, new)
-        place.write_bytes(text.encode())
+            data = data.replace(old.encode(), new.encode())
+        place.write_bytes(data)
 
 
 def _in_language(template: Path, language: str) -> dict[str, str]:
